@@ -1,0 +1,72 @@
+use core::fmt;
+
+/// Why a set of parameters was refused.
+///
+/// Every variant carries the value that was refused, so that whoever shows the error can say what to change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ParameterError {
+    /// An upper joint-speed limit is not a positive finite number.
+    UpperLimit {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// The limit that was given.
+        value: f64,
+    },
+    /// A lower joint-speed limit is not a negative finite number.
+    LowerLimit {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// The limit that was given.
+        value: f64,
+    },
+    /// The sampling period is not a positive finite number of seconds.
+    SamplingPeriod(f64),
+    /// The filter bandwidth is not a positive finite number of radians per second.
+    Bandwidth(f64),
+    /// The target rate of the path parameter is not positive and finite.
+    TargetRate(f64),
+    /// Bandwidth times sampling period exceeds 1: the discrete filter would leave [0, 1].
+    FilterStep {
+        /// `bandwidth * sampling_period`.
+        step: f64,
+    },
+    /// A speed factor outside [0, 1].
+    Factor(f64),
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::UpperLimit { joint, value } => {
+                write!(f, "upper speed limit of joint {} is {value}; it must be positive and finite", joint + 1)
+            }
+            Self::LowerLimit { joint, value } => {
+                write!(f, "lower speed limit of joint {} is {value}; it must be negative and finite", joint + 1)
+            }
+            Self::SamplingPeriod(value) => {
+                write!(f, "sampling period is {value} s; it must be positive and finite")
+            }
+            Self::Bandwidth(value) => {
+                write!(f, "filter bandwidth is {value} rad/s; it must be positive and finite")
+            }
+            Self::TargetRate(value) => {
+                write!(f, "target rate of the path parameter is {value} 1/s; it must be positive and finite")
+            }
+            Self::FilterStep { step } => {
+                write!(
+                    f,
+                    "bandwidth times sampling period is {step}, which must not exceed 1; lower the bandwidth or sample faster"
+                )
+            }
+            Self::Factor(value) => write!(f, "speed factor is {value}; it must lie in [0, 1]"),
+        }
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+/// Accepts positive finite numbers only; NaN is refused.
+pub(crate) fn positive(value: f64, error: fn(f64) -> ParameterError) -> Result<f64, ParameterError> {
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(error(value)) }
+}
