@@ -1,1 +1,41 @@
-//! x
+//! Serial arms: kinematics, Jacobians and their inverses, built-in models.
+//!
+//! Units are SI (m, rad, s). Frames: poses and Jacobians are expressed in the base frame, the Jacobian's reference point
+//! is the tool's origin, its first three rows are linear and its last three angular.
+//!
+//! ```
+//! use slideway_robot::{models, SerialArm};
+//!
+//! let arm: SerialArm<6> = models::puma560();
+//! let pose = arm.forward(&[0.0, 0.8, -2.6, 3.1, 1.1, 2.8].into());
+//! assert!(pose.translation.vector.norm() < 1.0);
+//! ```
+
+mod arm;
+mod dh;
+mod error;
+pub mod euler;
+mod inverse;
+mod jacobian;
+pub mod models;
+mod numeric_ik;
+mod rotation;
+mod spherical_wrist;
+
+pub use arm::{Joint, JointKind, LinkFrames, SerialArm};
+pub use dh::DhRow;
+pub use error::RobotError;
+pub use euler::EulerAngles;
+pub use inverse::{InverseMethod, Task, adjugate, solve_rates};
+pub use numeric_ik::{NumericIk, NumericIkSettings};
+pub use rotation::rotation_vector;
+pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
+
+/// Position and orientation of a frame, stored as a rotation matrix and a vector.
+pub type Pose = nalgebra::IsometryMatrix3<f64>;
+/// Joint positions, speeds or torques of an arm with `N` joints.
+pub type JointVector<const N: usize> = nalgebra::SVector<f64, N>;
+/// Geometric Jacobian, `6×N`: linear rows first.
+pub type Jacobian<const N: usize> = nalgebra::SMatrix<f64, 6, N>;
+/// Linear and angular velocity (or acceleration) of a frame, linear part first.
+pub type Twist = nalgebra::Vector6<f64>;

@@ -1,0 +1,133 @@
+use crate::{DhRow, JointVector, Pose, RobotError};
+use nalgebra::{Rotation3, Translation3, Unit, Vector3};
+
+/// How a joint moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointKind {
+    /// Turns about its axis; position in rad.
+    Revolute,
+    /// Slides along its axis; position in m.
+    Prismatic,
+}
+
+/// One joint: where it sits in the frame of the link before it, and how it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Joint frame in the frame of the previous link (of the base for the first joint).
+    pub origin: Pose,
+    /// Axis of motion in the joint frame.
+    pub axis: Unit<Vector3<f64>>,
+    /// Revolute or prismatic.
+    pub kind: JointKind,
+    /// Added to the joint position before it is applied, rad or m.
+    pub offset: f64,
+}
+
+impl Joint {
+    /// The transform that the joint's motion adds.
+    fn motion(&self, q: f64) -> Pose {
+        let q = q + self.offset;
+        match self.kind {
+            JointKind::Revolute => {
+                Pose::from_parts(Translation3::identity(), Rotation3::from_axis_angle(&self.axis, q))
+            }
+            JointKind::Prismatic => {
+                Pose::from_parts(Translation3::from(self.axis.into_inner() * q), Rotation3::identity())
+            }
+        }
+    }
+}
+
+/// A chain of `N` joints from base to tool.
+///
+/// ```text
+/// T(q) = Π_i (origin_i · motion_i(q_i)) · tool
+/// ```
+///
+/// A standard DH table is one way to write it down, see [`SerialArm::from_dh`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct SerialArm<const N: usize> {
+    joints: [Joint; N],
+    tool: Pose,
+    dh: Option<[DhRow; N]>,
+}
+
+/// The frames of an arm at one configuration, in the base frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkFrames<const N: usize> {
+    /// Origin of each joint, m.
+    pub origins: [Vector3<f64>; N],
+    /// Axis of each joint, unit length.
+    pub axes: [Vector3<f64>; N],
+    /// Pose of the tool.
+    pub tool: Pose,
+}
+
+impl<const N: usize> SerialArm<N> {
+    /// A chain of joints and the tool's pose in the last link's frame.
+    #[must_use]
+    pub fn new(joints: [Joint; N], tool: Pose) -> Self {
+        Self { joints, tool, dh: None }
+    }
+
+    /// An arm of revolute joints from a standard DH table.
+    ///
+    /// # Errors
+    ///
+    /// A number in the table is NaN or infinite.
+    pub fn from_dh(rows: [DhRow; N]) -> Result<Self, RobotError> {
+        for (joint, row) in rows.iter().enumerate() {
+            if let Some((field, value)) = row.not_finite() {
+                return Err(RobotError::NotFinite { joint, field, value });
+            }
+        }
+        Ok(Self::from_finite_dh(rows))
+    }
+
+    /// As [`SerialArm::from_dh`], for tables known to be finite.
+    pub(crate) fn from_finite_dh(rows: [DhRow; N]) -> Self {
+        let mut before = Pose::identity();
+        let joints = rows.map(|row| {
+            let origin = std::mem::replace(&mut before, row.after_joint());
+            Joint { origin, axis: Vector3::z_axis(), kind: JointKind::Revolute, offset: row.offset }
+        });
+        Self { joints, tool: before, dh: Some(rows) }
+    }
+
+    /// The joints, from base to tool.
+    #[must_use]
+    pub fn joints(&self) -> &[Joint; N] {
+        &self.joints
+    }
+
+    /// The DH table the arm was made from, if it was.
+    #[must_use]
+    pub fn dh(&self) -> Option<&[DhRow; N]> {
+        self.dh.as_ref()
+    }
+
+    /// Forward kinematics: the pose of the tool in the base frame.
+    #[must_use]
+    pub fn forward(&self, q: &JointVector<N>) -> Pose {
+        self.joints
+            .iter()
+            .zip(q.iter())
+            .fold(Pose::identity(), |pose, (joint, &q)| pose * joint.origin * joint.motion(q))
+            * self.tool
+    }
+
+    /// Forward kinematics with the joint frames that the Jacobian needs.
+    #[must_use]
+    pub fn frames(&self, q: &JointVector<N>) -> LinkFrames<N> {
+        let mut pose = Pose::identity();
+        let mut origins = [Vector3::zeros(); N];
+        let mut axes = [Vector3::zeros(); N];
+        for (((joint, &q), origin), axis) in self.joints.iter().zip(q.iter()).zip(&mut origins).zip(&mut axes) {
+            pose *= joint.origin;
+            *origin = pose.translation.vector;
+            *axis = pose.rotation * joint.axis.into_inner();
+            pose *= joint.motion(q);
+        }
+        LinkFrames { origins, axes, tool: pose * self.tool }
+    }
+}

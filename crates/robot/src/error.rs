@@ -1,0 +1,61 @@
+use thiserror::Error;
+
+/// What can go wrong with a robot description or a pose.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RobotError {
+    /// A number in a robot description is NaN or infinite.
+    #[error("joint {}: `{field}` is {value}; it must be finite", joint + 1)]
+    NotFinite {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// Name of the parameter.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The arm does not have the geometry that the closed-form inverse kinematics needs.
+    #[error("closed-form inverse kinematics needs a spherical wrist on a PUMA-like arm: {reason}")]
+    NotSphericalWrist {
+        /// The first condition that fails.
+        reason: &'static str,
+    },
+    /// A pose out of reach.
+    #[error("pose out of reach: {reason}, short by {shortfall:.6} m")]
+    OutOfReach {
+        /// Which part of the arm cannot do it.
+        reason: &'static str,
+        /// How far the wrist centre lies outside the reachable shell, m.
+        shortfall: f64,
+    },
+    /// The numeric inverse kinematics came to rest away from the pose.
+    #[error(
+        "inverse kinematics did not converge: {position_error:.3e} m and {orientation_error:.3e} rad left after {iterations} iterations"
+    )]
+    NotConverged {
+        /// Position error left, m.
+        position_error: f64,
+        /// Orientation error left, rad.
+        orientation_error: f64,
+        /// Iterations spent.
+        iterations: usize,
+    },
+    /// The determinant-based inverse needs as many joints as task coordinates.
+    #[error(
+        "the adjugate inverse needs a square Jacobian: the task has {rows} coordinates and the arm {joints} joints"
+    )]
+    NotSquare {
+        /// Task coordinates.
+        rows: usize,
+        /// Joints.
+        joints: usize,
+    },
+    /// A parameter of an inverse that must be positive.
+    #[error("{name} is {value}; it must be positive and finite")]
+    NotPositive {
+        /// Name of the parameter.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+}

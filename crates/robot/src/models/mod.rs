@@ -1,0 +1,5 @@
+//! Built-in arms.
+
+mod puma560;
+
+pub use puma560::puma560;

@@ -1,0 +1,100 @@
+use crate::{Jacobian, JointVector, Pose, RobotError, SerialArm, Task, Twist, rotation_vector};
+use nalgebra::Matrix6;
+
+/// When the numeric inverse kinematics stops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NumericIkSettings {
+    /// Position error accepted, m.
+    pub position_tolerance: f64,
+    /// Orientation error accepted, rad.
+    pub orientation_tolerance: f64,
+    /// Iterations before giving up.
+    pub max_iterations: usize,
+}
+
+impl Default for NumericIkSettings {
+    fn default() -> Self {
+        Self { position_tolerance: 1e-12, orientation_tolerance: 1e-12, max_iterations: 200 }
+    }
+}
+
+/// Numeric inverse kinematics by Levenberg-Marquardt steps from a seed: any arm, any task.
+///
+/// Converges to the solution nearest to the seed in the sense of the descent, so the seed chooses the branch.
+#[derive(Clone, Copy, Debug)]
+pub struct NumericIk<'a, const N: usize> {
+    arm: &'a SerialArm<N>,
+    task: Task,
+    settings: NumericIkSettings,
+}
+
+impl<'a, const N: usize> NumericIk<'a, N> {
+    /// A solver for one arm and task.
+    #[must_use]
+    pub fn new(arm: &'a SerialArm<N>, task: Task, settings: NumericIkSettings) -> Self {
+        Self { arm, task, settings }
+    }
+
+    /// The joint position that puts the tool at `pose`, from a seed.
+    ///
+    /// # Errors
+    ///
+    /// [`RobotError::NotConverged`] with the error that is left.
+    pub fn solve(&self, pose: &Pose, seed: &JointVector<N>) -> Result<JointVector<N>, RobotError> {
+        let mut q = *seed;
+        let mut error = self.error(pose, &q);
+        let mut damping = 1e-3;
+        for _ in 0..self.settings.max_iterations {
+            if self.small(&error) {
+                return Ok(self.polish(pose, q, error));
+            }
+            let trial = q + self.step(&self.arm.jacobian(&q), &error, damping);
+            let trial_error = self.error(pose, &trial);
+            if trial_error.norm() < error.norm() {
+                (q, error) = (trial, trial_error);
+                damping = (damping * 0.1).max(1e-12);
+            } else if damping > 1e6 || !trial_error.iter().all(|e| e.is_finite()) {
+                break;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        if self.small(&error) {
+            return Ok(q);
+        }
+        Err(RobotError::NotConverged {
+            position_error: error.fixed_rows::<3>(0).norm(),
+            orientation_error: error.fixed_rows::<3>(3).norm(),
+            iterations: self.settings.max_iterations,
+        })
+    }
+
+    /// Task error as a twist: linear part in m, angular part as the rotation vector from tool to target in rad.
+    pub fn error(&self, pose: &Pose, q: &JointVector<N>) -> Twist {
+        let tool = self.arm.forward(q);
+        let linear = pose.translation.vector - tool.translation.vector;
+        let angular = rotation_vector(&(pose.rotation * tool.rotation.inverse()));
+        self.task.select(&Twist::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z))
+    }
+
+    fn small(&self, error: &Twist) -> bool {
+        error.fixed_rows::<3>(0).norm() <= self.settings.position_tolerance
+            && error.fixed_rows::<3>(3).norm() <= self.settings.orientation_tolerance
+    }
+
+    /// One more nearly undamped step, kept if it helps: takes the error from the tolerance to rounding.
+    fn polish(&self, pose: &Pose, q: JointVector<N>, error: Twist) -> JointVector<N> {
+        let better = q + self.step(&self.arm.jacobian(&q), &error, 1e-12);
+        if self.error(pose, &better).norm() < error.norm() { better } else { q }
+    }
+
+    /// `Δq = Jᵀ (J Jᵀ + μ I)⁻¹ e`, the damped least-squares step on the task's rows.
+    fn step(&self, jacobian: &Jacobian<N>, error: &Twist, damping: f64) -> JointVector<N> {
+        let mut rows = Jacobian::<N>::zeros();
+        for &row in self.task.rows() {
+            rows.set_row(row, &jacobian.row(row));
+        }
+        let gram = rows * rows.transpose() + Matrix6::from_diagonal_element(damping);
+        gram.cholesky().map_or_else(JointVector::zeros, |c| rows.transpose() * c.solve(error))
+    }
+}
