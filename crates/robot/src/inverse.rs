@@ -1,4 +1,4 @@
-use crate::{Jacobian, JointVector, RobotError, Twist};
+use crate::{JacobiSvd, Jacobian, JointVector, RobotError, Twist};
 use nalgebra::{Matrix6, Vector6};
 
 /// Which coordinates of the tool the task prescribes.
@@ -131,7 +131,7 @@ fn adjugate_solve<const N: usize>(rows: &Jacobian<N>, task: Task, twist: &Twist,
         lu.solve(&packed)
     } else {
         let sign = if determinant < 0.0 { -1.0 } else { 1.0 };
-        adjugate(&square).map(|adjugate| adjugate * packed * (sign / epsilon))
+        Some(adjugate(&square) * packed * (sign / epsilon))
     };
     // No solution means a NaN in the Jacobian: passed on, so that whoever commands joints brakes.
     solution.map_or_else(
@@ -140,38 +140,26 @@ fn adjugate_solve<const N: usize>(rows: &Jacobian<N>, task: Task, twist: &Twist,
     )
 }
 
-/// Adjugate by singular values, `adj(U Σ Vᵀ) = det(U) det(V) · V adj(Σ) Uᵀ`: exact in rank-deficient cases too, where
-/// `det(J) J⁻¹` is not. `None` where the decomposition fails (a matrix that is not finite).
+/// Adjugate (transposed cofactor matrix), `adj(J) J = det(J) I`: well defined for every rank, where `det(J) J⁻¹` is not.
 #[must_use]
-pub fn adjugate(matrix: &Matrix6<f64>) -> Option<Matrix6<f64>> {
-    if !matrix.iter().all(|x| x.is_finite()) {
-        return None;
-    }
-    let svd = matrix.svd(true, true);
-    let (u, v_t) = (svd.u?, svd.v_t?);
-    let sigma = svd.singular_values;
-    let others = Vector6::from_fn(|i, _| (0..6).filter(|&j| j != i).map(|j| sigma[j]).product());
-    let sign = (u.determinant() * v_t.determinant()).signum();
-    Some(v_t.transpose() * Matrix6::from_diagonal(&others) * u.transpose() * sign)
+pub fn adjugate(matrix: &Matrix6<f64>) -> Matrix6<f64> {
+    Matrix6::from_fn(|i, j| {
+        let minor = matrix.remove_fixed_rows::<1>(j).remove_fixed_columns::<1>(i);
+        let sign = if (i + j) % 2 == 0 { 1.0 } else { -1.0 };
+        sign * minor.lu().determinant()
+    })
 }
 
 fn truncated_solve<const N: usize>(rows: &Jacobian<N>, twist: &Twist, cutoff: f64) -> JointVector<N> {
-    if !rows.iter().all(|x| x.is_finite()) {
-        return JointVector::from_element(f64::NAN);
-    }
-    // J Jᵀ = U Σ² Uᵀ would square the condition number; the 6×N matrix is padded to a square one instead.
-    let padded = nalgebra::DMatrix::from_fn(6, N, |i, j| rows[(i, j)]);
-    let svd = padded.svd(true, true);
-    let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else {
+    let Some(svd) = JacobiSvd::new(rows) else {
         return JointVector::from_element(f64::NAN);
     };
     let mut speeds = JointVector::<N>::zeros();
-    for (k, &sigma) in svd.singular_values.iter().enumerate() {
+    for k in 0..N {
+        let sigma = svd.singular_value(k);
         if sigma > cutoff {
-            let along: f64 = (0..6).map(|i| u[(i, k)] * twist[i]).sum::<f64>() / sigma;
-            for j in 0..N {
-                speeds[j] += along * v_t[(k, j)];
-            }
+            // v (u·x) / σ, with the column holding σ u.
+            speeds += svd.v.column(k) * (svd.scaled.column(k).dot(twist) / (sigma * sigma));
         }
     }
     speeds

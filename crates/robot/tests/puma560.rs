@@ -3,8 +3,8 @@
 use nalgebra::{Matrix6, Rotation3, Vector3};
 use proptest::prelude::*;
 use slideway_robot::{
-    Branch, Elbow, InverseMethod, JointVector, NumericIk, NumericIkSettings, Shoulder, SphericalWristIk, Task, Twist,
-    Wrist, euler, models, rotation_vector, solve_rates,
+    Branch, Elbow, InverseMethod, JacobiSvd, JointVector, NumericIk, NumericIkSettings, Shoulder, SphericalWristIk,
+    Task, Twist, Wrist, euler, models, rotation_vector, solve_rates,
 };
 
 /// Height of the pedestal in the reference data; the paper's base frame sits at the shoulder.
@@ -141,17 +141,26 @@ proptest! {
     }
 
     #[test]
-    fn adjugate_agrees_with_its_definition_by_cofactors(entries in prop::collection::vec(-1.0..1.0_f64, 36), drop in any::<bool>()) {
+    fn adjugate_times_matrix_is_the_determinant_times_the_identity(entries in prop::collection::vec(-1.0..1.0_f64, 36), drop in any::<bool>()) {
         let mut matrix = Matrix6::from_vec(entries);
         if drop { let row = matrix.row(0) * 2.0; matrix.set_row(3, &row); }
-        let naive = Matrix6::from_fn(|i, j| {
-            let minor = matrix.remove_row(j).remove_column(i);
-            let minor = nalgebra::Matrix5::from_fn(|r, c| minor[(r, c)]);
-            if (i + j) % 2 == 0 { minor.lu().determinant() } else { -minor.lu().determinant() }
-        });
-        let fast = slideway_robot::adjugate(&matrix).expect("finite");
+        let determinant = if drop { 0.0 } else { matrix.lu().determinant() };
+        let product = slideway_robot::adjugate(&matrix) * matrix;
         // Entries of the adjugate are at most of size 5^2.5 (Hadamard) and each side carries some hundred roundings.
-        prop_assert!((naive - fast).norm() < 1e-11, "{}", (naive - fast).norm());
+        prop_assert!((product - Matrix6::identity() * determinant).norm() < 1e-11);
+    }
+
+    #[test]
+    fn jacobi_svd_reproduces_every_matrix_with_orthogonal_factors(entries in prop::collection::vec(-1.0..1.0_f64, 42), drop in any::<bool>(), scale in -8..8_i32) {
+        let mut matrix = slideway_robot::Jacobian::<7>::from_vec(entries) * 10f64.powi(scale);
+        if drop { let row = matrix.row(0) * 2.0; matrix.set_row(3, &row); }
+        let svd = JacobiSvd::new(&matrix).expect("finite");
+        let size = matrix.norm();
+        // Some ten sweeps of 21 rotations, each a few roundings: 1e-13 leaves a factor of ten.
+        prop_assert!((svd.scaled * svd.v.transpose() - matrix).norm() < 1e-13 * size);
+        prop_assert!((svd.v.transpose() * svd.v - nalgebra::SMatrix::<f64, 7, 7>::identity()).norm() < 1e-13);
+        let gram = svd.scaled.transpose() * svd.scaled;
+        for i in 0..7 { for j in 0..i { prop_assert!(gram[(i, j)].abs() < 1e-14 * size * size); } }
     }
 
     #[test]
