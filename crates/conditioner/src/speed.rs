@@ -56,8 +56,9 @@ impl SpeedState {
         self.factor
     }
 
+    #[allow(clippy::manual_clamp)]
     pub(crate) fn set(&mut self, factor: f64) {
-        // `max` and `min` return the number where the other side is NaN, so a NaN ends as 0: it brakes.
+        // `max` returns the number where the other side is NaN, so a NaN ends as 0 and brakes; `clamp` would keep it.
         self.factor = factor.max(0.0).min(1.0);
     }
 }

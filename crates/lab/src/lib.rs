@@ -1,1 +1,38 @@
-//! x
+//! From a scenario file to traces and metrics: one problem, one loop, every speed law.
+//!
+//! ```
+//! use slideway_lab::{Experiment, Method, Scenario};
+//!
+//! let scenario = Scenario::built_in("puma-helix-on-path").expect("built in")?;
+//! let experiment = Experiment::new(&scenario)?;
+//! let trace = experiment.run(Method::SlidingModeImplicit)?;
+//! assert!(trace.finish_s.is_some());
+//! # Ok::<(), slideway_lab::LabError>(())
+//! ```
+
+mod controller;
+mod error;
+mod experiment;
+mod formula;
+mod joint_path;
+mod law;
+mod metrics;
+mod path;
+mod problem;
+mod sampled;
+mod scenario;
+mod simulate;
+mod trace;
+
+pub use controller::Demand;
+pub use error::{Fault, LabError};
+pub use experiment::Experiment;
+pub use formula::FormulaError;
+pub use joint_path::{JointPath, JointPoint, Piece, PieceKind};
+pub use law::Method;
+pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
+pub use path::{CartesianPath, PathPoint};
+pub use problem::{ControlSettings, FixedSpeed, Integration, MAX_JOINTS, Problem};
+pub use sampled::{PathSample, SampledPath, SampledPiece};
+pub use scenario::{BUILT_IN, BuiltIn, Scenario, TEMPLATE, locate};
+pub use trace::{Chatter, Sample, Trace};

@@ -18,6 +18,9 @@ impl Default for NumericIkSettings {
     }
 }
 
+/// Keeps the normal equations positive definite at an exact singularity: rounding of `J Jᵀ`, whose entries are of size 1.
+const SMALLEST_DAMPING: f64 = 1e-15;
+
 /// Numeric inverse kinematics by Levenberg-Marquardt steps from a seed: any arm, any task.
 ///
 /// Converges to the solution nearest to the seed in the sense of the descent, so the seed chooses the branch.
@@ -43,20 +46,23 @@ impl<'a, const N: usize> NumericIk<'a, N> {
     pub fn solve(&self, pose: &Pose, seed: &JointVector<N>) -> Result<JointVector<N>, RobotError> {
         let mut q = *seed;
         let mut error = self.error(pose, &q);
-        let mut damping = 1e-3;
+        // Damping in proportion to the squared error (Sugihara 2011): far away it keeps the step small where the arm is
+        // nearly singular, close by it vanishes and the steps become Newton's.
+        let mut boost = 1.0;
         for _ in 0..self.settings.max_iterations {
             if self.small(&error) {
                 return Ok(self.polish(pose, q, error));
             }
+            let damping = boost * 0.5 * error.norm_squared() + SMALLEST_DAMPING;
             let trial = q + self.step(&self.arm.jacobian(&q), &error, damping);
             let trial_error = self.error(pose, &trial);
             if trial_error.norm() < error.norm() {
                 (q, error) = (trial, trial_error);
-                damping = (damping * 0.1).max(1e-12);
-            } else if damping > 1e6 || !trial_error.iter().all(|e| e.is_finite()) {
+                boost = (boost * 0.1_f64).max(1e-3);
+            } else if boost > 1e12 || !trial_error.iter().all(|e| e.is_finite()) {
                 break;
             } else {
-                damping *= 10.0;
+                boost *= 10.0;
             }
         }
         if self.small(&error) {
@@ -84,7 +90,7 @@ impl<'a, const N: usize> NumericIk<'a, N> {
 
     /// One more nearly undamped step, kept if it helps: takes the error from the tolerance to rounding.
     fn polish(&self, pose: &Pose, q: JointVector<N>, error: Twist) -> JointVector<N> {
-        let better = q + self.step(&self.arm.jacobian(&q), &error, 1e-12);
+        let better = q + self.step(&self.arm.jacobian(&q), &error, SMALLEST_DAMPING);
         if self.error(pose, &better).norm() < error.norm() { better } else { q }
     }
 

@@ -1,0 +1,172 @@
+use crate::formula::FormulaError;
+use slideway_conditioner::ParameterError;
+use slideway_robot::RobotError;
+use std::ops::Range;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Everything that can be wrong with a scenario.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LabError {
+    /// The file cannot be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The text is not a scenario: bad TOML, an unknown key, a value of the wrong kind.
+    #[error("{message}")]
+    Syntax {
+        /// What the parser says.
+        message: String,
+        /// Where, as a range of bytes of the text.
+        span: Option<Range<usize>>,
+    },
+    /// A value with the right shape and the wrong content.
+    #[error("`{key}`: {fault}")]
+    Value {
+        /// The key, dotted, list elements counted from 0: `limits.speed.2`.
+        key: String,
+        /// What is wrong with it.
+        fault: Fault,
+    },
+    /// The robot cannot follow the path continuously.
+    #[error(
+        "the joint path breaks at path parameter {at:.6}: the next configuration is {jump:.3} rad away and no self-motion leads there"
+    )]
+    BrokenPath {
+        /// Path parameter where the joint path ends.
+        at: f64,
+        /// Largest joint change of the best continuation found, rad.
+        jump: f64,
+    },
+    /// The path leaves the robot's reach.
+    #[error("the path leaves the robot's reach at path parameter {at:.6}: {source}")]
+    LeavesReach {
+        /// Path parameter of the last configuration found.
+        at: f64,
+        /// What the inverse kinematics says.
+        source: RobotError,
+    },
+}
+
+/// What is wrong with a value.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// Must be greater than zero.
+    #[error("{0} is not positive")]
+    NotPositive(f64),
+    /// Must be less than zero.
+    #[error("{0} is not negative")]
+    NotNegative(f64),
+    /// A list of the wrong length.
+    #[error("{found} numbers given, {expected} needed (one per joint)")]
+    WrongLength {
+        /// Entries found.
+        found: usize,
+        /// Entries needed.
+        expected: usize,
+    },
+    /// Two numbers that must increase do not.
+    #[error("{after} does not lie after {before}")]
+    NotIncreasing {
+        /// The earlier number.
+        before: f64,
+        /// The later one.
+        after: f64,
+    },
+    /// A required key is missing.
+    #[error("missing; {0}")]
+    Missing(&'static str),
+    /// Keys that exclude each other.
+    #[error("{0}")]
+    Conflict(&'static str),
+    /// A number of joints outside the supported range.
+    #[error("{0} joints; between 1 and 7 are supported")]
+    JointCount(usize),
+    /// A number too large or too small to be meant.
+    #[error("{value} is outside [{least}, {most}]")]
+    OutOfRange {
+        /// What was given.
+        value: f64,
+        /// Smallest accepted.
+        least: f64,
+        /// Largest accepted.
+        most: f64,
+    },
+    /// A path that has no finite value or derivative somewhere.
+    #[error("no finite value or derivative at path parameter {0:.6}")]
+    UndefinedAt(f64),
+    /// A formula that cannot be used.
+    #[error(transparent)]
+    Formula(#[from] FormulaError),
+    /// A conditioner's parameter.
+    #[error(transparent)]
+    Conditioner(#[from] ParameterError),
+    /// A robot's parameter or an unreachable pose.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+}
+
+impl Fault {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::NotPositive(_) => "give a number greater than zero".into(),
+            Self::NotNegative(_) => "give a number less than zero".into(),
+            Self::WrongLength { expected, .. } => {
+                format!("give {expected} numbers, or a single one for all joints")
+            }
+            Self::NotIncreasing { .. } => "order the numbers from small to large, each at most once".into(),
+            Self::Missing(_) => "add the key; `slideway init FILE` writes a template with every key explained".into(),
+            Self::Conflict(_) => "keep one of the keys".into(),
+            Self::JointCount(_) => "use an arm with 1 to 7 joints".into(),
+            Self::OutOfRange { least, most, .. } => format!("give a number from {least} to {most}"),
+            Self::UndefinedAt(_) => "change the formula, or the range of the path parameter".into(),
+            Self::Formula(_) => "formulas use + - * / ^, sin, cos, exp, sqrt and the like, `lambda` and `pi`".into(),
+            Self::Conditioner(ParameterError::FilterStep { .. }) => {
+                "lower `control.bandwidth` or `control.sampling_period` until their product is at most 1".into()
+            }
+            Self::Conditioner(_) => "see the parameter's range in the message".into(),
+            Self::Robot(RobotError::OutOfReach { .. }) => "move the pose into the arm's reach".into(),
+            Self::Robot(RobotError::NotConverged { .. }) => {
+                "move the pose into the arm's reach, or give `start.near` closer to the wanted configuration".into()
+            }
+            Self::Robot(RobotError::NotSphericalWrist { .. }) => {
+                "remove `start.branch` and give `start.near = [...]`, joint positions close to the wanted ones".into()
+            }
+            Self::Robot(RobotError::NotSquare { .. }) => {
+                "use `[robot.inverse.damped-least-squares]` or `[robot.inverse.truncated-svd]`, or another `robot.task`"
+                    .into()
+            }
+            Self::Robot(_) => "see the range in the message".into(),
+        }
+    }
+}
+
+impl LabError {
+    pub(crate) fn value(key: impl Into<String>, fault: impl Into<Fault>) -> Self {
+        Self::Value { key: key.into(), fault: fault.into() }
+    }
+
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::Read { .. } => {
+                "give the path of a TOML file, or the name of a built-in scenario (`slideway list` shows them)".into()
+            }
+            Self::Syntax { .. } => "`slideway init FILE` writes a template with every key explained".into(),
+            Self::Value { fault, .. } => fault.remedy(),
+            Self::BrokenPath { .. } => {
+                "start from another branch of the inverse kinematics (`start.branch`), or change the path there".into()
+            }
+            Self::LeavesReach { .. } => "shorten the path, or move it closer to the robot".into(),
+        }
+    }
+}

@@ -1,0 +1,160 @@
+use exmex::prelude::*;
+use thiserror::Error;
+
+/// Why a formula was refused.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum FormulaError {
+    /// It does not parse, or contains an operator without a derivative.
+    #[error("cannot read `{text}`: {reason}")]
+    Syntax {
+        /// The formula.
+        text: String,
+        /// What the parser says.
+        reason: String,
+    },
+    /// It uses a name that is neither the variable nor `pi`.
+    #[error("`{text}` uses `{name}`, which means nothing here; known names: {known}")]
+    UnknownName {
+        /// The formula.
+        text: String,
+        /// The name.
+        name: String,
+        /// What may be used.
+        known: String,
+    },
+    /// Its value is NaN or infinite.
+    #[error("`{text}` is {value}, which is not a finite number")]
+    NotFinite {
+        /// The formula.
+        text: String,
+        /// The value.
+        value: f64,
+    },
+}
+
+/// What a name in a formula stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Slot {
+    Variable,
+    Pi,
+}
+
+/// A parsed expression with the meaning of its names, in the order in which the evaluator wants them.
+#[derive(Clone, Debug)]
+struct Compiled {
+    expression: exmex::FlatEx<f64>,
+    slots: Vec<Slot>,
+}
+
+impl Compiled {
+    fn new(expression: exmex::FlatEx<f64>, text: &str, variable: Option<&str>) -> Result<Self, FormulaError> {
+        let slots = expression
+            .var_names()
+            .iter()
+            .map(|name| match name.as_str() {
+                "pi" => Ok(Slot::Pi),
+                name if Some(name) == variable => Ok(Slot::Variable),
+                name => Err(FormulaError::UnknownName {
+                    text: text.to_owned(),
+                    name: name.to_owned(),
+                    known: variable.map_or_else(|| "pi".to_owned(), |v| format!("{v}, pi")),
+                }),
+            })
+            .collect::<Result<_, _>>()?;
+        Ok(Self { expression, slots })
+    }
+
+    fn value(&self, x: f64) -> f64 {
+        let mut arguments = [0.0; 2];
+        for (argument, slot) in arguments.iter_mut().zip(&self.slots) {
+            *argument = if *slot == Slot::Pi { std::f64::consts::PI } else { x };
+        }
+        self.expression.eval(&arguments[..self.slots.len().min(2)]).unwrap_or(f64::NAN)
+    }
+}
+
+/// A formula in one variable with its first two derivatives, taken symbolically.
+#[derive(Clone, Debug)]
+pub(crate) struct Formula {
+    value: Compiled,
+    first: Compiled,
+    second: Compiled,
+}
+
+impl Formula {
+    /// Parses a formula in `variable` (and `pi`).
+    ///
+    /// # Errors
+    ///
+    /// It does not parse, uses another name, or contains an operator whose derivative is not known.
+    pub(crate) fn new(text: &str, variable: &str) -> Result<Self, FormulaError> {
+        let syntax = |error: exmex::ExError| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() };
+        let expression = exmex::parse::<f64>(text).map_err(syntax)?;
+        let value = Compiled::new(expression.clone(), text, Some(variable))?;
+        let derivative =
+            |expression: exmex::FlatEx<f64>| match expression.var_names().iter().position(|name| name == variable) {
+                Some(index) => expression.partial(index).map_err(syntax),
+                None => exmex::parse::<f64>("0").map_err(syntax),
+            };
+        let first = derivative(expression)?;
+        let second = derivative(first.clone())?;
+        Ok(Self {
+            value,
+            first: Compiled::new(first, text, Some(variable))?,
+            second: Compiled::new(second, text, Some(variable))?,
+        })
+    }
+
+    /// Value, first and second derivative at `x`; NaN where the formula is not defined.
+    #[must_use]
+    pub(crate) fn at(&self, x: f64) -> [f64; 3] {
+        [self.value.value(x), self.first.value(x), self.second.value(x)]
+    }
+}
+
+/// The value of a constant expression such as `pi / 2 - 0.2`.
+///
+/// # Errors
+///
+/// It does not parse, uses a name other than `pi`, or is not finite.
+pub(crate) fn constant(text: &str) -> Result<f64, FormulaError> {
+    let expression = exmex::parse::<f64>(text)
+        .map_err(|error| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() })?;
+    let value = Compiled::new(expression, text, None)?.value(0.0);
+    if value.is_finite() { Ok(value) } else { Err(FormulaError::NotFinite { text: text.to_owned(), value }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_of_a_formula_are_symbolic() {
+        let formula = Formula::new("0.1 * (cos(2 * pi * s) - 1) + s^3", "s").expect("parses");
+        let [value, first, second] = formula.at(0.3);
+        let w = std::f64::consts::TAU;
+        // A handful of roundings of numbers below 10.
+        assert!((value - (0.1 * ((w * 0.3).cos() - 1.0) + 0.027)).abs() < 1e-14);
+        assert!((first - (-0.1 * w * (w * 0.3).sin() + 0.27)).abs() < 1e-14);
+        assert!((second - (-0.1 * w * w * (w * 0.3).cos() + 1.8)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn constant_formulas_have_zero_derivatives() {
+        assert_eq!(Formula::new("pi", "s").expect("parses").at(2.0), [std::f64::consts::PI, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn unknown_names_are_pointed_out() {
+        assert!(matches!(Formula::new("sin(x)", "s"), Err(FormulaError::UnknownName { name, .. }) if name == "x"));
+        assert!(matches!(constant("2 * tau_1"), Err(FormulaError::UnknownName { .. })));
+        assert!(matches!(constant("1 / 0"), Err(FormulaError::NotFinite { .. })));
+        assert!(matches!(constant("2 *"), Err(FormulaError::Syntax { .. })));
+    }
+
+    #[test]
+    fn constants_may_be_written_with_pi() {
+        assert_eq!(constant("pi - 0.2"), Ok(std::f64::consts::PI - 0.2));
+        assert_eq!(constant("-3e-2"), Ok(-0.03));
+    }
+}

@@ -1,0 +1,175 @@
+use crate::controller::Demand;
+use crate::error::LabError;
+use crate::problem::Problem;
+use serde::{Deserialize, Serialize};
+use slideway_conditioner::{
+    Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedCommand, SpeedRegulator, SpeedSettings, SpeedState,
+};
+use std::fmt;
+
+/// The speed laws that are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Fixed speed, joints without limits (case 1 of `[G11]`).
+    Ideal,
+    /// Fixed speed, each joint saturated on its own (case 2).
+    Saturated,
+    /// Fixed speed, direction-preserving saturation (case 3).
+    DirectionPreserving,
+    /// Sliding-mode regulation as published (case 4).
+    SlidingMode,
+    /// Sliding-mode regulation, the reference waiting for the robot.
+    SlidingModeSynchronised,
+    /// Sliding-mode regulation, backward-Euler form.
+    SlidingModeImplicit,
+}
+
+impl Method {
+    /// All methods, in the order of the tables.
+    pub const ALL: [Self; 6] = [
+        Self::Ideal,
+        Self::Saturated,
+        Self::DirectionPreserving,
+        Self::SlidingMode,
+        Self::SlidingModeSynchronised,
+        Self::SlidingModeImplicit,
+    ];
+
+    /// The name used in files, tables and on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ideal => "ideal",
+            Self::Saturated => "saturated",
+            Self::DirectionPreserving => "direction-preserving",
+            Self::SlidingMode => "sliding-mode",
+            Self::SlidingModeSynchronised => "sliding-mode-synchronised",
+            Self::SlidingModeImplicit => "sliding-mode-implicit",
+        }
+    }
+
+    /// Whether the speed is regulated, rather than fixed in advance.
+    #[must_use]
+    pub fn is_regulated(self) -> bool {
+        matches!(self, Self::SlidingMode | Self::SlidingModeSynchronised | Self::SlidingModeImplicit)
+    }
+
+    /// What the method knows in advance, for the comparison's table.
+    #[must_use]
+    pub fn knows(self) -> &'static str {
+        match self {
+            Self::Ideal => "nothing, and has no limits",
+            Self::Saturated | Self::DirectionPreserving => "a speed chosen by hand",
+            Self::SlidingMode | Self::SlidingModeSynchronised | Self::SlidingModeImplicit => "the speed limits only",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A speed law with its state, as the loop runs it.
+#[derive(Clone, Debug)]
+pub(crate) enum Law<const N: usize> {
+    Fixed { rate: f64, saturation: Option<Saturation> },
+    Explicit { regulator: SpeedRegulator<N>, state: SpeedState },
+    Implicit { regulator: ImplicitSpeedRegulator<N>, state: SpeedState },
+}
+
+/// What a law decides for one sample.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Decision<const N: usize> {
+    /// The conditioner's command.
+    pub(crate) command: SpeedCommand<N>,
+    /// Desired joint speed `q̇d`.
+    pub(crate) desired: [f64; N],
+    /// Path rate with which `λ` is advanced: the command's, less where the path's end is nearer than a whole sample.
+    pub(crate) advance_rate: f64,
+}
+
+impl<const N: usize> Law<N> {
+    pub(crate) fn new(problem: &Problem<N>, method: Method, fixed_rate: f64) -> Result<Self, LabError> {
+        let settings = |advance| SpeedSettings {
+            limits: problem.speed_limits,
+            sampling_period: problem.control.sampling_period,
+            bandwidth: problem.control.bandwidth,
+            target_rate: problem.control.target_rate,
+            saturation: Saturation::DirectionPreserving,
+            advance,
+        };
+        let explicit = |advance| {
+            SpeedRegulator::new(settings(advance))
+                .map(|regulator| Self::Explicit { regulator, state: SpeedState::at_rest() })
+                .map_err(|error| LabError::value("control", error))
+        };
+        match method {
+            Method::Ideal => Ok(Self::Fixed { rate: fixed_rate, saturation: None }),
+            Method::Saturated => Ok(Self::Fixed { rate: fixed_rate, saturation: Some(Saturation::Direct) }),
+            Method::DirectionPreserving => {
+                Ok(Self::Fixed { rate: fixed_rate, saturation: Some(Saturation::DirectionPreserving) })
+            }
+            Method::SlidingMode => explicit(Advance::Paper),
+            Method::SlidingModeSynchronised => explicit(Advance::Synchronised),
+            Method::SlidingModeImplicit => ImplicitSpeedRegulator::new(settings(Advance::Synchronised))
+                .map(|regulator| Self::Implicit { regulator, state: SpeedState::at_rest() })
+                .map_err(|error| LabError::value("control", error)),
+        }
+    }
+
+    /// One sample. `most` is the path rate that just reaches the path's end with this sample.
+    pub(crate) fn step(&mut self, problem: &Problem<N>, demand: &Demand<N>, most: f64) -> Decision<N> {
+        match self {
+            Self::Fixed { rate, saturation } => fixed(problem, demand, *rate, *saturation, most),
+            Self::Explicit { regulator, state } => {
+                let requested = regulator.requested_rate(state);
+                let desired = demand.at(requested.min(most)).into();
+                let command = regulator.step(state, &desired);
+                // In the synchronised form the shortened last step is scaled as the whole one would be.
+                let share = if requested > 0.0 { command.path_rate / requested } else { 0.0 };
+                Decision { command, desired, advance_rate: share * requested.min(most) }
+            }
+            Self::Implicit { regulator, state } => {
+                let split = AffineSpeed {
+                    feedback: demand.feedback.into(),
+                    feedforward: (demand.path_speed * regulator.target_rate()).into(),
+                };
+                let mut command = regulator.step(state, &split);
+                let advance_rate = command.path_rate.min(most);
+                let mut desired = split.at(command.factor);
+                if advance_rate < command.path_rate {
+                    // A shorter step along the same line: the limits are convex, so it keeps them too.
+                    desired = demand.at(advance_rate).into();
+                    command.joint_speed =
+                        problem.speed_limits.saturate(&desired, Saturation::DirectionPreserving).joint_speed;
+                }
+                Decision { command, desired, advance_rate }
+            }
+        }
+    }
+}
+
+/// Fixed speed: nothing is regulated, the joints take what saturation leaves.
+fn fixed<const N: usize>(
+    problem: &Problem<N>,
+    demand: &Demand<N>,
+    rate: f64,
+    saturation: Option<Saturation>,
+    most: f64,
+) -> Decision<N> {
+    let desired: [f64; N] = demand.at(rate.min(most)).into();
+    let limits = &problem.speed_limits;
+    let saturated = limits.saturate(&desired, saturation.unwrap_or(Saturation::Direct));
+    let command = SpeedCommand {
+        joint_speed: if saturation.is_some() { saturated.joint_speed } else { desired },
+        path_rate: rate,
+        factor: 1.0,
+        switch: 1.0,
+        direction_factor: if saturation.is_some() { saturated.direction_factor } else { 1.0 },
+        limit_ratio: limits.ratio(&desired),
+    };
+    Decision { command, desired, advance_rate: rate.min(most) }
+}

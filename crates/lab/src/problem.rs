@@ -1,0 +1,333 @@
+use crate::error::{Fault, LabError};
+use crate::path::CartesianPath;
+use crate::scenario::Scenario;
+use crate::scenario::number::{Number, PerJoint};
+use crate::scenario::schema::{
+    BranchTable, ControlTable, ElbowName, IntegrationName, InverseTable, LimitsTable, RobotTable, ShoulderName,
+    TaskName, WristName,
+};
+use nalgebra::{Translation3, Vector3, Vector6};
+use slideway_conditioner::{ParameterError, SpeedLimits};
+use slideway_robot::{
+    Branch, DhRow, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, SerialArm,
+    Shoulder, SphericalWristIk, Task, Wrist, euler, models,
+};
+
+/// Most joints an arm may have.
+pub const MAX_JOINTS: usize = 7;
+
+/// A robot, its task, a path and limits: everything the loop and the optimum need, validated.
+#[derive(Clone, Debug)]
+pub struct Problem<const N: usize> {
+    /// The arm.
+    pub arm: SerialArm<N>,
+    /// Which tool coordinates the path prescribes.
+    pub task: Task,
+    /// How a tool twist becomes joint speeds in the controller.
+    pub inverse: InverseMethod,
+    /// The path.
+    pub path: CartesianPath,
+    /// Joint-speed limits, rad/s.
+    pub speed_limits: SpeedLimits<N>,
+    /// Joint-acceleration limits, rad/s², symmetric, for the optimum.
+    pub acceleration_limits: Option<[f64; N]>,
+    /// Controller and regulator.
+    pub control: ControlSettings,
+    /// The fixed-speed methods.
+    pub fixed_speed: FixedSpeed,
+    /// Where the robot stands at `t = 0`.
+    pub start: JointVector<N>,
+    /// Euler triple of the tool there, nearest to the path's.
+    pub start_euler: EulerAngles,
+    /// The configuration on the path's first point, on the same branch.
+    pub path_start: JointVector<N>,
+}
+
+/// Parameters of the controller and of the speed regulator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ControlSettings {
+    /// Position-error gain `Kp`, 1/s.
+    pub gain: f64,
+    /// Sampling period `Ts`, s.
+    pub sampling_period: f64,
+    /// Filter bandwidth `af`, rad/s.
+    pub bandwidth: f64,
+    /// Target rate of the path parameter `λ̇d`, 1/s.
+    pub target_rate: f64,
+    /// When to give up, s; by default ten times the shortest possible time plus 30 s.
+    pub max_duration: Option<f64>,
+}
+
+/// Parameters of the fixed-speed methods (cases 1 to 3 of `[G11]`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FixedSpeed {
+    /// Rate of the path parameter, 1/s; by default the one that takes as long as the optimum.
+    pub rate: Option<f64>,
+    /// Sampling period, s.
+    pub sampling_period: f64,
+    /// Integration of the joint positions.
+    pub integration: Integration,
+}
+
+/// Integration of the joint positions over a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integration {
+    /// The joint speed is held over the sample, as a digital controller does.
+    Euler,
+    /// Fourth-order Runge-Kutta: the continuous-time ideal.
+    Rk4,
+}
+
+impl<const N: usize> Problem<N> {
+    /// Makes a problem from a scenario for an arm of `N` joints.
+    ///
+    /// # Errors
+    ///
+    /// The first value that cannot be used, with its key.
+    pub(crate) fn new(scenario: &Scenario) -> Result<Self, LabError> {
+        let file = &scenario.file;
+        let task = task(file.robot.task);
+        let arm = arm(&file.robot)?;
+        let inverse = inverse(&file.robot.inverse);
+        inverse.validate(task, N).map_err(|error| LabError::value("robot.inverse", error))?;
+        if task.rows().len() > N {
+            let fault = Fault::OutOfRange { value: task.rows().len() as f64, least: 1.0, most: N as f64 };
+            return Err(LabError::value("robot.task", fault));
+        }
+        let path = CartesianPath::new(&file.path, file.robot.task)?;
+        let mut problem = Self {
+            arm,
+            task,
+            inverse,
+            path,
+            speed_limits: speed_limits(&file.limits)?,
+            acceleration_limits: acceleration_limits(&file.limits)?,
+            control: control(&file.control)?,
+            fixed_speed: fixed_speed(scenario)?,
+            start: JointVector::zeros(),
+            start_euler: EulerAngles::zeros(),
+            path_start: JointVector::zeros(),
+        };
+        problem.place(scenario)?;
+        Ok(problem)
+    }
+
+    /// Finds the start configuration and the one on the path's first point.
+    fn place(&mut self, scenario: &Scenario) -> Result<(), LabError> {
+        let table = &scenario.file.start;
+        let branch = table.branch.as_ref().map(branch);
+        let near = table.near.as_ref().map(|q| joints::<N>("start.near", q)).transpose()?;
+        let first = self.path.at(self.path.start()).coordinates;
+        if let Some(q) = &table.q {
+            if table.pose.is_some() || branch.is_some() || near.is_some() {
+                return Err(LabError::value(
+                    "start.q",
+                    Fault::Conflict("`start.q` says it all; remove the other keys"),
+                ));
+            }
+            self.start = joints::<N>("start.q", q)?;
+            self.path_start = self.solve_pose(&first, None, Some(self.start), "path")?;
+        } else {
+            self.path_start = self.solve_pose(&first, branch, near, "path")?;
+            self.start = match &table.pose {
+                Some(pose) => {
+                    let pose = Vector6::from_iterator(pose.iter().map(|n| n.0));
+                    self.solve_pose(&pose, branch, near.or(Some(self.path_start)), "start.pose")?
+                }
+                None => self.path_start,
+            };
+        }
+        let wanted =
+            table.pose.map_or_else(|| first.fixed_rows::<3>(3).into_owned(), |p| Vector3::new(p[3].0, p[4].0, p[5].0));
+        self.start_euler = euler::nearest(&self.arm.forward(&self.start).rotation, &wanted);
+        Ok(())
+    }
+
+    /// A configuration for tool coordinates: closed form on a branch, else numeric from a seed.
+    fn solve_pose(
+        &self,
+        coordinates: &Vector6<f64>,
+        branch: Option<Branch>,
+        near: Option<JointVector<N>>,
+        key: &str,
+    ) -> Result<JointVector<N>, LabError> {
+        let pose = pose(coordinates);
+        if let Some(branch) = branch {
+            let ik = SphericalWristIk::new(&self.arm).map_err(|error| LabError::value("start.branch", error))?;
+            let q = ik.solve(&pose, branch).map_err(|error| LabError::value(key, error))?;
+            return Ok(JointVector::from_fn(|i, _| q[i]));
+        }
+        let Some(seed) = near else {
+            return Err(LabError::value(
+                "start",
+                Fault::Missing("say where the robot stands: `q`, or `branch`, or `near` (joint positions close to it)"),
+            ));
+        };
+        NumericIk::new(&self.arm, self.task, NumericIkSettings::default())
+            .solve(&pose, &seed)
+            .map_err(|error| LabError::value(key, error))
+    }
+}
+
+/// The pose of tool coordinates `[x y z α β γ]`.
+pub(crate) fn pose(coordinates: &Vector6<f64>) -> Pose {
+    Pose::from_parts(
+        Translation3::new(coordinates[0], coordinates[1], coordinates[2]),
+        euler::rotation(&coordinates.fixed_rows::<3>(3).into_owned()),
+    )
+}
+
+/// Number of joints of a scenario's robot.
+pub(crate) fn joint_count(scenario: &Scenario) -> Result<usize, LabError> {
+    match (&scenario.file.robot.model, &scenario.file.robot.dh) {
+        (Some(_), Some(_)) => {
+            Err(LabError::value("robot.dh", Fault::Conflict("`robot.model` and `robot.dh` exclude each other")))
+        }
+        (Some(_), None) => Ok(6),
+        (None, Some(rows)) if (1..=MAX_JOINTS).contains(&rows.len()) => Ok(rows.len()),
+        (None, Some(rows)) => Err(LabError::value("robot.dh", Fault::JointCount(rows.len()))),
+        (None, None) => Err(LabError::value("robot", Fault::Missing("say which robot: `model` or a `dh` table"))),
+    }
+}
+
+fn arm<const N: usize>(table: &RobotTable) -> Result<SerialArm<N>, LabError> {
+    let rows: Vec<DhRow> = match (&table.model, &table.dh) {
+        (_, Some(rows)) => {
+            rows.iter().map(|r| DhRow { a: r.a.0, alpha: r.alpha.0, d: r.d.0, offset: r.offset.0 }).collect()
+        }
+        _ => models::puma560().dh().map(|rows| rows.to_vec()).unwrap_or_default(),
+    };
+    let found = rows.len();
+    let rows: [DhRow; N] =
+        rows.try_into().map_err(|_| LabError::value("robot", Fault::WrongLength { found, expected: N }))?;
+    SerialArm::from_dh(rows).map_err(|error| LabError::value("robot.dh", error))
+}
+
+fn task(name: TaskName) -> Task {
+    match name {
+        TaskName::Pose => Task::Pose,
+        TaskName::Position => Task::Position,
+        TaskName::PlanarPosition => Task::PlanarPosition,
+        TaskName::PlanarPose => Task::PlanarPose,
+    }
+}
+
+fn inverse(table: &InverseTable) -> InverseMethod {
+    match table {
+        InverseTable::Adjugate { epsilon } => InverseMethod::Adjugate { epsilon: epsilon.0 },
+        InverseTable::DampedLeastSquares { damping } => InverseMethod::DampedLeastSquares { damping: damping.0 },
+        InverseTable::TruncatedSvd { cutoff } => InverseMethod::TruncatedSvd { cutoff: cutoff.0 },
+    }
+}
+
+fn branch(table: &BranchTable) -> Branch {
+    Branch {
+        shoulder: match table.shoulder {
+            ShoulderName::Right => Shoulder::Right,
+            ShoulderName::Left => Shoulder::Left,
+        },
+        elbow: match table.elbow {
+            ElbowName::Up => Elbow::Up,
+            ElbowName::Down => Elbow::Down,
+        },
+        wrist: match table.wrist {
+            WristName::NoFlip => Wrist::NoFlip,
+            WristName::Flip => Wrist::Flip,
+        },
+    }
+}
+
+fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
+    if numbers.len() != N {
+        return Err(LabError::value(key, Fault::WrongLength { found: numbers.len(), expected: N }));
+    }
+    Ok(JointVector::from_fn(|i, _| numbers[i].0))
+}
+
+fn per_joint<const N: usize>(key: &str, values: &PerJoint) -> Result<[f64; N], LabError> {
+    match values {
+        PerJoint::All(value) => Ok([*value; N]),
+        PerJoint::Each(values) => values
+            .as_slice()
+            .try_into()
+            .map_err(|_| LabError::value(key, Fault::WrongLength { found: values.len(), expected: N })),
+    }
+}
+
+/// The key of one element of a per-joint value.
+fn element(key: &str, values: &PerJoint, joint: usize) -> String {
+    if matches!(values, PerJoint::All(_)) { key.to_owned() } else { format!("{key}.{joint}") }
+}
+
+fn speed_limits<const N: usize>(table: &LimitsTable) -> Result<SpeedLimits<N>, LabError> {
+    let upper = per_joint("limits.speed", &table.speed)?;
+    let lower = match &table.speed_lower {
+        Some(values) => per_joint("limits.speed_lower", values)?,
+        None => upper.map(|u| -u),
+    };
+    SpeedLimits::new(lower, upper).map_err(|error| match (error, &table.speed_lower) {
+        (ParameterError::LowerLimit { joint, value }, Some(values)) => {
+            LabError::value(element("limits.speed_lower", values, joint), Fault::NotNegative(value))
+        }
+        (ParameterError::LowerLimit { joint, value }, None) => {
+            LabError::value(element("limits.speed", &table.speed, joint), Fault::NotPositive(-value))
+        }
+        (ParameterError::UpperLimit { joint, value }, _) => {
+            LabError::value(element("limits.speed", &table.speed, joint), Fault::NotPositive(value))
+        }
+        (error, _) => LabError::value("limits", error),
+    })
+}
+
+fn acceleration_limits<const N: usize>(table: &LimitsTable) -> Result<Option<[f64; N]>, LabError> {
+    let Some(values) = &table.acceleration else { return Ok(None) };
+    let limits: [f64; N] = per_joint("limits.acceleration", values)?;
+    if let Some(joint) = limits.iter().position(|&l| !(l > 0.0)) {
+        return Err(LabError::value(element("limits.acceleration", values, joint), Fault::NotPositive(limits[joint])));
+    }
+    Ok(Some(limits))
+}
+
+fn positive(key: &str, number: Number) -> Result<f64, LabError> {
+    if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
+}
+
+fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {
+    let settings = ControlSettings {
+        gain: positive("control.gain", table.gain)?,
+        sampling_period: positive("control.sampling_period", table.sampling_period)?,
+        bandwidth: positive("control.bandwidth", table.bandwidth)?,
+        target_rate: positive("control.target_rate", table.target_rate)?,
+        max_duration: table.max_duration.map(|d| positive("control.max_duration", d)).transpose()?,
+    };
+    let step = settings.bandwidth * settings.sampling_period;
+    if step > 1.0 {
+        return Err(LabError::value("control.bandwidth", ParameterError::FilterStep { step }));
+    }
+    check_gain("control.gain", settings.gain, settings.sampling_period)?;
+    Ok(settings)
+}
+
+/// The sampled position loop `e <- (1 - Kp Ts) e` is stable for `Kp Ts < 2` only.
+fn check_gain(key: &str, gain: f64, sampling_period: f64) -> Result<(), LabError> {
+    let most = 2.0 / sampling_period;
+    if gain < most { Ok(()) } else { Err(LabError::value(key, Fault::OutOfRange { value: gain, least: 0.0, most })) }
+}
+
+fn fixed_speed(scenario: &Scenario) -> Result<FixedSpeed, LabError> {
+    let table = &scenario.file.fixed_speed;
+    let control = &scenario.file.control;
+    let period = match table.sampling_period {
+        Some(period) => positive("fixed_speed.sampling_period", period)?,
+        None => control.sampling_period.0,
+    };
+    check_gain("fixed_speed.sampling_period", control.gain.0, period)?;
+    Ok(FixedSpeed {
+        rate: table.rate.map(|r| positive("fixed_speed.rate", r)).transpose()?,
+        sampling_period: period,
+        integration: match table.integration {
+            IntegrationName::Euler => Integration::Euler,
+            IntegrationName::Rk4 => Integration::Rk4,
+        },
+    })
+}

@@ -1,0 +1,151 @@
+use crate::error::LabError;
+use crate::joint_path::{JointPath, JointPoint, Piece, PieceKind};
+use crate::problem::Problem;
+
+/// A joint path sampled on a grid, with its limits: what an offline optimum needs, whatever the number of joints.
+#[derive(Clone, Debug)]
+pub struct SampledPath {
+    /// Number of joints.
+    pub joints: usize,
+    /// Lower speed limits, rad/s, negative.
+    pub speed_lower: Vec<f64>,
+    /// Upper speed limits, rad/s, positive.
+    pub speed_upper: Vec<f64>,
+    /// Acceleration limits, rad/s², symmetric.
+    pub acceleration: Option<Vec<f64>>,
+    /// The smooth pieces.
+    pub pieces: Vec<SampledPiece>,
+}
+
+/// A smooth piece on a grid.
+#[derive(Clone, Debug)]
+pub struct SampledPiece {
+    /// The grid's nodes.
+    pub nodes: Vec<PathSample>,
+    /// Samples strictly between the nodes, `between[k]` in the interval after node `k`.
+    pub between: Vec<Vec<PathSample>>,
+    /// Whether the tool stands still along the piece.
+    pub is_self_motion: bool,
+}
+
+/// One point of a sampled joint path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathSample {
+    /// The piece's parameter.
+    pub s: f64,
+    /// Path parameter of the tool path.
+    pub lambda: f64,
+    /// `q'(s)`, rad.
+    pub first: Vec<f64>,
+    /// `q''(s)`, rad.
+    pub second: Vec<f64>,
+}
+
+impl SampledPath {
+    /// The shortest time under speed limits alone, by the trapezoidal rule on all samples:
+    /// `T* = ∫ max_i (q_i'(s) / limit_i) ds`, s.
+    #[must_use]
+    pub fn speed_limited_time(&self) -> f64 {
+        self.pieces.iter().map(|piece| self.piece_time(piece)).sum()
+    }
+
+    /// The largest use of a speed limit per unit of path speed: `1 / ṡ_max`.
+    #[must_use]
+    pub fn slowness(&self, sample: &PathSample) -> f64 {
+        sample
+            .first
+            .iter()
+            .zip(self.speed_lower.iter().zip(&self.speed_upper))
+            .map(|(&v, (&lo, &up))| if v < 0.0 { v / lower_or_nan(lo) } else { v / up })
+            .fold(0.0, f64::max)
+    }
+
+    fn piece_time(&self, piece: &SampledPiece) -> f64 {
+        let samples = piece.in_order();
+        samples.windows(2).map(|w| 0.5 * (w[1].s - w[0].s) * (self.slowness(w[0]) + self.slowness(w[1]))).sum()
+    }
+}
+
+/// A lower limit is negative by construction; anything else must not pass as a small ratio.
+fn lower_or_nan(lower: f64) -> f64 {
+    if lower < 0.0 { lower } else { f64::NAN }
+}
+
+impl SampledPiece {
+    /// Nodes and the samples between them, in the order of the path.
+    #[must_use]
+    pub fn in_order(&self) -> Vec<&PathSample> {
+        let mut samples = Vec::new();
+        for (k, node) in self.nodes.iter().enumerate() {
+            samples.push(node);
+            samples.extend(self.between.get(k).into_iter().flatten());
+        }
+        samples
+    }
+}
+
+/// Samples a joint path with about `intervals` intervals in all and `between` samples inside each.
+pub(crate) fn sample<const N: usize>(
+    problem: &Problem<N>,
+    path: &JointPath<N>,
+    intervals: usize,
+    between: usize,
+) -> Result<SampledPath, LabError> {
+    let mut sampled = SampledPath {
+        joints: N,
+        speed_lower: problem.speed_limits.lower().to_vec(),
+        speed_upper: problem.speed_limits.upper().to_vec(),
+        acceleration: problem.acceleration_limits.map(|a| a.to_vec()),
+        pieces: Vec::new(),
+    };
+    for (piece, intervals) in path.pieces().iter().zip(shares(problem, path, intervals)) {
+        sampled.pieces.push(sample_piece(problem, piece, intervals, between)?);
+    }
+    Ok(sampled)
+}
+
+/// Intervals per piece, in proportion to the time each needs, at least 20.
+#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn shares<const N: usize>(problem: &Problem<N>, path: &JointPath<N>, intervals: usize) -> Vec<usize> {
+    let time = |piece: &Piece<N>| match piece.kind() {
+        PieceKind::Follow { q, .. } => {
+            q.windows(2).map(|w| problem.speed_limits.ratio(&(w[1] - w[0]).into())).sum::<f64>()
+        }
+        PieceKind::SelfMotion { from, to, .. } => problem.speed_limits.ratio(&(to - from).into()),
+    };
+    let times: Vec<f64> = path.pieces().iter().map(time).collect();
+    let total: f64 = times.iter().sum();
+    times
+        .iter()
+        .map(|t| if total > 0.0 { (t / total * intervals as f64).round() as usize } else { intervals })
+        .map(|n| if path.pieces().len() == 1 { intervals } else { n.max(20) })
+        .collect()
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn sample_piece<const N: usize>(
+    problem: &Problem<N>,
+    piece: &Piece<N>,
+    intervals: usize,
+    between: usize,
+) -> Result<SampledPiece, LabError> {
+    let grid = piece.grid(problem, intervals);
+    let sample = |s: f64| piece.at(problem, s).map(|point| path_sample(s, &point));
+    let nodes = grid.iter().map(|&s| sample(s)).collect::<Result<_, _>>()?;
+    let inner = |w: &[f64]| {
+        (1..=between)
+            .map(|j| sample(w[0] + (w[1] - w[0]) * j as f64 / (between + 1) as f64))
+            .collect::<Result<Vec<_>, _>>()
+    };
+    let between = grid.windows(2).map(inner).collect::<Result<_, _>>()?;
+    Ok(SampledPiece { nodes, between, is_self_motion: matches!(piece.kind(), PieceKind::SelfMotion { .. }) })
+}
+
+fn path_sample<const N: usize>(s: f64, point: &JointPoint<N>) -> PathSample {
+    PathSample {
+        s,
+        lambda: point.lambda,
+        first: point.first.iter().copied().collect(),
+        second: point.second.iter().copied().collect(),
+    }
+}

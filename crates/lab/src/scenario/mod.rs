@@ -1,0 +1,140 @@
+//! Scenario files: a robot, a path, limits and a controller, in TOML.
+
+pub(crate) mod number;
+pub(crate) mod schema;
+
+use crate::error::LabError;
+use schema::ScenarioFile;
+use std::ops::Range;
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A scenario: its text and what the text says.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    name: String,
+    text: String,
+    pub(crate) file: ScenarioFile,
+}
+
+/// A built-in scenario.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuiltIn {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its text, the same as a user's file would hold.
+    pub text: &'static str,
+}
+
+/// The built-in scenarios, tutorial first.
+pub const BUILT_IN: [BuiltIn; 3] = [
+    BuiltIn { name: "puma-helix", text: include_str!("../../scenarios/puma-helix.toml") },
+    BuiltIn { name: "puma-helix-on-path", text: include_str!("../../scenarios/puma-helix-on-path.toml") },
+    BuiltIn { name: "puma-wrist-singularity", text: include_str!("../../scenarios/puma-wrist-singularity.toml") },
+];
+
+/// The commented template that `slideway init` writes.
+pub const TEMPLATE: &str = include_str!("../../scenarios/template.toml");
+
+impl Scenario {
+    /// A built-in scenario, if there is one of that name.
+    #[must_use]
+    pub fn built_in(name: &str) -> Option<Result<Self, LabError>> {
+        BUILT_IN.iter().find(|b| b.name == name).map(|b| Self::parse(b.name, b.text))
+    }
+
+    /// Reads a scenario file; its name is the file's stem.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read, or what [`Scenario::parse`] refuses.
+    pub fn read(path: &Path) -> Result<Self, LabError> {
+        let text = Self::read_text(path)?;
+        let name = path.file_stem().map_or_else(|| "scenario".into(), |stem| stem.to_string_lossy().into_owned());
+        Self::parse(&name, &text)
+    }
+
+    /// The text of a scenario file, for showing errors in it.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read.
+    pub fn read_text(path: &Path) -> Result<String, LabError> {
+        std::fs::read_to_string(path).map_err(|source| LabError::Read { path: path.to_owned(), source })
+    }
+
+    /// Parses the text of a scenario.
+    ///
+    /// # Errors
+    ///
+    /// Bad TOML, an unknown or missing key, a value of the wrong kind. What the values mean is checked when a problem is
+    /// made from the scenario.
+    pub fn parse(name: &str, text: &str) -> Result<Self, LabError> {
+        let file = toml::from_str(text)
+            .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
+        Ok(Self { name: name.to_owned(), text: text.to_owned(), file })
+    }
+
+    /// Name on the command line, or the stem of the file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// One sentence on what it is for.
+    #[must_use]
+    pub fn description(&self) -> &str {
+        &self.file.description
+    }
+
+    /// The text it was parsed from.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Default tolerance of the verdict, as a fraction.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.file.compare.tolerance.map_or(0.02, |t| t.0)
+    }
+
+    /// Grid points of the optimum.
+    #[must_use]
+    pub fn grid_points(&self) -> usize {
+        self.file.optimum.grid_points.unwrap_or(1000) as usize
+    }
+}
+
+/// Where an error lies in a text, as a range of bytes: the value at its key, or the nearest table around it.
+#[must_use]
+pub fn locate(text: &str, error: &LabError) -> Option<Range<usize>> {
+    match error {
+        LabError::Syntax { span, .. } => span.clone(),
+        LabError::Value { key, .. } => locate_key(text, key),
+        LabError::BrokenPath { .. } | LabError::LeavesReach { .. } => locate_key(text, "path"),
+        LabError::Read { .. } => None,
+    }
+}
+
+/// The span of the value at a dotted key, or of the innermost part of the key that is there.
+fn locate_key(text: &str, key: &str) -> Option<Range<usize>> {
+    let document = DeTable::parse(text).ok()?;
+    let mut parts = key.split('.');
+    let mut found: Option<&Spanned<DeValue<'_>>> = document.get_ref().get(parts.next()?);
+    let mut span = found.map(Spanned::span);
+    for part in parts {
+        found = match found.map(Spanned::get_ref) {
+            Some(DeValue::Table(table)) => table.get(part),
+            Some(DeValue::Array(array)) => part.parse::<usize>().ok().and_then(|i| array.get(i)),
+            _ => None,
+        };
+        if let Some(value) = found {
+            span = Some(value.span());
+        } else {
+            break;
+        }
+    }
+    span
+}

@@ -1,0 +1,187 @@
+//! The scenario file as it is written: plain tables, no meaning checked beyond shape.
+
+use super::number::{Number, PerJoint};
+use serde::Deserialize;
+
+/// A whole scenario file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ScenarioFile {
+    #[serde(default)]
+    pub(crate) description: String,
+    pub(crate) robot: RobotTable,
+    #[serde(default)]
+    pub(crate) start: StartTable,
+    pub(crate) path: PathTable,
+    pub(crate) limits: LimitsTable,
+    pub(crate) control: ControlTable,
+    #[serde(default)]
+    pub(crate) fixed_speed: FixedSpeedTable,
+    #[serde(default)]
+    pub(crate) optimum: OptimumTable,
+    #[serde(default)]
+    pub(crate) compare: CompareTable,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RobotTable {
+    pub(crate) model: Option<Model>,
+    pub(crate) dh: Option<Vec<DhTable>>,
+    #[serde(default)]
+    pub(crate) task: TaskName,
+    pub(crate) inverse: InverseTable,
+}
+
+/// Built-in arms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Model {
+    Puma560,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DhTable {
+    pub(crate) a: Number,
+    pub(crate) alpha: Number,
+    pub(crate) d: Number,
+    #[serde(default)]
+    pub(crate) offset: Number,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum TaskName {
+    #[default]
+    Pose,
+    Position,
+    PlanarPosition,
+    PlanarPose,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum InverseTable {
+    Adjugate { epsilon: Number },
+    DampedLeastSquares { damping: Number },
+    TruncatedSvd { cutoff: Number },
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StartTable {
+    pub(crate) q: Option<Vec<Number>>,
+    pub(crate) pose: Option<[Number; 6]>,
+    pub(crate) branch: Option<BranchTable>,
+    pub(crate) near: Option<Vec<Number>>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct BranchTable {
+    pub(crate) shoulder: ShoulderName,
+    pub(crate) elbow: ElbowName,
+    pub(crate) wrist: WristName,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum ShoulderName {
+    Right,
+    Left,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum ElbowName {
+    Up,
+    Down,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum WristName {
+    NoFlip,
+    Flip,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PathTable {
+    #[serde(default)]
+    pub(crate) start: Number,
+    pub(crate) end: Number,
+    pub(crate) position: PositionTable,
+    pub(crate) orientation: Option<OrientationTable>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum PositionTable {
+    Helix { start: [Number; 3], radius: Number, climb: Number },
+    Line { from: [Number; 3], to: [Number; 3] },
+    Formula { x: String, y: String, z: String },
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum OrientationTable {
+    Constant { euler: [Number; 3] },
+    PiecewiseLinear { knots: Vec<KnotTable> },
+    Formula { alpha: String, beta: String, gamma: String },
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct KnotTable {
+    pub(crate) at: Number,
+    pub(crate) euler: [Number; 3],
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LimitsTable {
+    pub(crate) speed: PerJoint,
+    pub(crate) speed_lower: Option<PerJoint>,
+    pub(crate) acceleration: Option<PerJoint>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ControlTable {
+    pub(crate) gain: Number,
+    pub(crate) sampling_period: Number,
+    pub(crate) bandwidth: Number,
+    pub(crate) target_rate: Number,
+    pub(crate) max_duration: Option<Number>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FixedSpeedTable {
+    pub(crate) rate: Option<Number>,
+    pub(crate) sampling_period: Option<Number>,
+    #[serde(default)]
+    pub(crate) integration: IntegrationName,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum IntegrationName {
+    #[default]
+    Euler,
+    Rk4,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OptimumTable {
+    pub(crate) grid_points: Option<u32>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CompareTable {
+    pub(crate) tolerance: Option<Number>,
+}

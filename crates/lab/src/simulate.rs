@@ -1,0 +1,244 @@
+use crate::controller::Demand;
+use crate::error::LabError;
+use crate::law::{Decision, Law, Method};
+use crate::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
+use crate::problem::{Integration, MAX_JOINTS, Problem};
+use crate::trace::{Chatter, Sample, Trace};
+use slideway_conditioner::{Saturation, bounds};
+use slideway_robot::{EulerAngles, JointVector};
+
+/// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
+const MAX_SAMPLES: usize = 5_000_000;
+
+/// Runs one method. `fixed_rate` is the rate of the fixed-speed methods, `horizon` the time after which to give up, s.
+pub(crate) fn simulate<const N: usize>(
+    problem: &Problem<N>,
+    method: Method,
+    fixed_rate: f64,
+    horizon: f64,
+) -> Result<Trace, LabError> {
+    let mut run = Run::new(problem, method, fixed_rate)?;
+    while run.t() < horizon && run.trace.samples.len() < MAX_SAMPLES && run.is_finite() {
+        if run.trace.finish_s.is_none() {
+            run.follow();
+        } else if run.settle() {
+            break;
+        }
+    }
+    Ok(run.trace)
+}
+
+/// A run in progress.
+struct Run<'a, const N: usize> {
+    problem: &'a Problem<N>,
+    law: Law<N>,
+    integration: Integration,
+    period: f64,
+    lambda: f64,
+    q: JointVector<N>,
+    euler: EulerAngles,
+    /// The sample before: demand and factor, for the change of the desired speed.
+    before: Option<(Demand<N>, f64, [f64; N])>,
+    trace: Trace,
+}
+
+impl<'a, const N: usize> Run<'a, N> {
+    fn new(problem: &'a Problem<N>, method: Method, fixed_rate: f64) -> Result<Self, LabError> {
+        let (period, integration) = if method.is_regulated() {
+            (problem.control.sampling_period, Integration::Euler)
+        } else {
+            (problem.fixed_speed.sampling_period, problem.fixed_speed.integration)
+        };
+        Ok(Self {
+            problem,
+            law: Law::new(problem, method, fixed_rate)?,
+            integration,
+            period,
+            lambda: problem.path.start(),
+            q: problem.start,
+            euler: problem.start_euler,
+            before: None,
+            trace: Trace {
+                method,
+                joints: N,
+                sampling_period: period,
+                finish_s: None,
+                arrival_s: None,
+                samples: Vec::new(),
+            },
+        })
+    }
+
+    /// Samples are counted, not summed: no drift of the clock.
+    #[allow(clippy::cast_precision_loss)]
+    fn t(&self) -> f64 {
+        self.trace.samples.len() as f64 * self.period
+    }
+
+    fn is_finite(&self) -> bool {
+        self.q.iter().all(|q| q.is_finite())
+    }
+
+    /// One sample of following the path.
+    fn follow(&mut self) {
+        let t = self.t();
+        let remaining = self.problem.path.end() - self.lambda;
+        let most = remaining / self.period;
+        let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
+        let law_before = self.law.clone();
+        let decision = self.law.step(self.problem, &demand, most);
+        self.record(t, &demand, &decision);
+        let rate = decision.command.path_rate;
+        // A remainder below 1e-12 of the path is rounding of the summed steps.
+        let span = self.problem.path.end() - self.problem.path.start();
+        if remaining - decision.advance_rate * self.period <= 1e-12 * span && rate > 0.0 {
+            self.trace.finish_s = Some(t + remaining / rate);
+            self.lambda = self.problem.path.end();
+        } else {
+            self.lambda += decision.advance_rate * self.period;
+        }
+        self.q = match self.integration {
+            Integration::Euler => self.q + JointVector::from(decision.command.joint_speed) * self.period,
+            Integration::Rk4 => self.rk4(&law_before, &decision),
+        };
+        self.euler = demand.euler;
+    }
+
+    /// One Runge-Kutta step of the joint positions with the reference moving at its own rate.
+    fn rk4(&self, law: &Law<N>, first: &Decision<N>) -> JointVector<N> {
+        let (h, rate) = (self.period, first.advance_rate);
+        let begin = self.lambda - if self.trace.finish_s.is_some() { 0.0 } else { rate * h };
+        let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
+            let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
+            let demand = self.problem.demand(&q, &self.euler, lambda);
+            law.clone().step(self.problem, &demand, rate).command.joint_speed.into()
+        };
+        let k1 = JointVector::from(first.command.joint_speed);
+        let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
+        let k3 = slope(self.q + k2 * (h / 2.0), 0.5);
+        let k4 = slope(self.q + k3 * h, 1.0);
+        self.q + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (h / 6.0)
+    }
+
+    /// One sample of the robot catching up with a reference at its end; whether it has arrived.
+    fn settle(&mut self) -> bool {
+        let t = self.t();
+        let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
+        let distance = arrival_distance(&demand);
+        let desired: [f64; N] = demand.feedback.into();
+        let limits = &self.problem.speed_limits;
+        let saturation =
+            if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
+        let mut joint_speed = limits.saturate(&desired, saturation).joint_speed;
+        if self.trace.method == Method::Ideal {
+            joint_speed = desired;
+        }
+        let last = self.trace.samples.last().copied();
+        self.trace.samples.push(Sample {
+            t,
+            lambda: self.lambda,
+            path_rate: 0.0,
+            factor: 0.0,
+            switch: if limits.contain(&desired) { 1.0 } else { 0.0 },
+            direction_factor: limits.saturate(&desired, saturation).direction_factor,
+            limit_ratio: limits.ratio(&desired),
+            limiting_joint: limits.limiting_joint(&desired),
+            error: demand.error.into(),
+            q: pad(&self.q),
+            desired: pad(&desired.into()),
+            commanded: pad(&joint_speed.into()),
+            chatter: None,
+        });
+        if distance <= 1.0 {
+            self.trace.arrival_s = Some(self.arrival_time(t, distance, last.as_ref()));
+            return true;
+        }
+        self.q += JointVector::from(joint_speed) * self.period;
+        self.euler = demand.euler;
+        false
+    }
+
+    /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
+    fn arrival_time(&self, t: f64, distance: f64, last: Option<&Sample>) -> f64 {
+        let finish = self.trace.finish_s.unwrap_or(t);
+        match last {
+            // The sample before stood outside, with the reference already at its end.
+            Some(last) if last.path_rate == 0.0 => {
+                let before = error_distance(&last.error);
+                let fraction = if before > distance { (before - 1.0) / (before - distance) } else { 1.0 };
+                last.t + (t - last.t) * fraction.clamp(0.0, 1.0)
+            }
+            _ => finish,
+        }
+    }
+
+    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>) {
+        let command = &decision.command;
+        let shortened = decision.advance_rate < command.path_rate;
+        let chatter = match (&self.before, self.trace.method.is_regulated() && !shortened) {
+            (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
+            _ => None,
+        };
+        self.trace.samples.push(Sample {
+            t,
+            lambda: self.lambda,
+            path_rate: command.path_rate,
+            factor: command.factor,
+            switch: command.switch,
+            direction_factor: command.direction_factor,
+            limit_ratio: command.limit_ratio,
+            limiting_joint: self.problem.speed_limits.limiting_joint(&decision.desired),
+            error: demand.error.into(),
+            q: pad(&self.q),
+            desired: pad(&decision.desired.into()),
+            commanded: pad(&command.joint_speed.into()),
+            chatter,
+        });
+        self.before = Some((*demand, command.factor, decision.desired));
+    }
+
+    /// The change of `q̇d = A + f B` since the sample before, its bound and the paper's estimate.
+    fn chatter(
+        &self,
+        before: &(Demand<N>, f64, [f64; N]),
+        demand: &Demand<N>,
+        factor: f64,
+        desired: &[f64; N],
+    ) -> Chatter {
+        let control = &self.problem.control;
+        let filter_step = control.bandwidth * control.sampling_period;
+        let (last, last_factor, last_desired) = before;
+        let mut chatter = Chatter { measured: 0.0, bound: 0.0, estimate: 0.0 };
+        let limits = &self.problem.speed_limits;
+        for i in 0..N {
+            let limit = limits.upper()[i].min(-limits.lower()[i]);
+            let feedforward = demand.path_speed[i] * control.target_rate;
+            let drift = last_factor * (feedforward - last.path_speed[i] * control.target_rate).abs()
+                + (demand.feedback[i] - last.feedback[i]).abs();
+            let bound = bounds::chattering_bound(feedforward, factor - last_factor, drift);
+            let estimate = bounds::chattering_estimate(demand.path_speed[i], filter_step, control.target_rate);
+            chatter.measured = chatter.measured.max((desired[i] - last_desired[i]).abs() / limit);
+            chatter.bound = chatter.bound.max(bound / limit);
+            chatter.estimate = chatter.estimate.max(estimate / limit);
+        }
+        chatter
+    }
+}
+
+/// Distance of the tool from the reference in units of the arrival tolerances.
+fn arrival_distance<const N: usize>(demand: &Demand<N>) -> f64 {
+    error_distance(&demand.error.into())
+}
+
+fn error_distance(error: &[f64; 6]) -> f64 {
+    let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
+    (norm(&error[..3]) / ARRIVAL_POSITION).max(norm(&error[3..]) / ARRIVAL_ORIENTATION)
+}
+
+fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {
+    let mut padded = [0.0; MAX_JOINTS];
+    for (slot, value) in padded.iter_mut().zip(values.iter()) {
+        *slot = *value;
+    }
+    padded
+}

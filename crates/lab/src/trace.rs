@@ -1,0 +1,133 @@
+use crate::law::Method;
+use crate::problem::MAX_JOINTS;
+use std::fmt::Write as _;
+use std::io;
+
+/// One run: what happened at every sample.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// The speed law.
+    pub method: Method,
+    /// Number of joints; entries of the joint arrays beyond it are zero.
+    pub joints: usize,
+    /// Sampling period, s.
+    pub sampling_period: f64,
+    /// When the reference reached the path's end, interpolated with the last path rate, s.
+    pub finish_s: Option<f64>,
+    /// When the tool was within tolerance of the path's end, the reference being there, s.
+    pub arrival_s: Option<f64>,
+    /// The samples, including those after the reference's end in which the robot catches up.
+    pub samples: Vec<Sample>,
+}
+
+/// One sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, s.
+    pub t: f64,
+    /// Path parameter `λ`.
+    pub lambda: f64,
+    /// Path rate `λ̇` over the sample, 1/s.
+    pub path_rate: f64,
+    /// Factor `f`.
+    pub factor: f64,
+    /// Switch `u`.
+    pub switch: f64,
+    /// Direction factor `fdir`.
+    pub direction_factor: f64,
+    /// `‖F_N q̇d‖∞`.
+    pub limit_ratio: f64,
+    /// The joint that uses most of its limit, counted from 0.
+    pub limiting_joint: Option<usize>,
+    /// Pose error `p_ref - p`, m and rad.
+    pub error: [f64; 6],
+    /// Joint position, rad.
+    pub q: [f64; MAX_JOINTS],
+    /// Desired joint speed `q̇d`, rad/s.
+    pub desired: [f64; MAX_JOINTS],
+    /// Commanded joint speed `q̇ds`, rad/s.
+    pub commanded: [f64; MAX_JOINTS],
+    /// Change of the desired joint speed since the sample before; `None` where it means nothing.
+    pub chatter: Option<Chatter>,
+}
+
+/// Change of the desired joint speed over one sample as a share of the speed limit, largest over the joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chatter {
+    /// What it was.
+    pub measured: f64,
+    /// What it can be at most: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`).
+    pub bound: f64,
+    /// The paper's estimate `|v_i| a λ̇d`, `[G11] eq 23`.
+    pub estimate: f64,
+}
+
+impl Trace {
+    /// The samples up to the reference's end (all of them if it never got there).
+    #[must_use]
+    pub fn following(&self) -> &[Sample] {
+        // Half a microsecond covers the rounding of summed sampling periods.
+        let end = self.finish_s.map_or(f64::INFINITY, |finish| finish + 5e-7);
+        &self.samples[..self.samples.partition_point(|s| s.t <= end)]
+    }
+
+    /// When the path parameter first moves, s.
+    #[must_use]
+    pub fn motion_start(&self) -> Option<f64> {
+        self.samples.iter().find(|s| s.path_rate > 0.0).map(|s| s.t)
+    }
+
+    /// Writes the trace as CSV, one row per sample, units in the column names.
+    ///
+    /// # Errors
+    ///
+    /// What the writer reports.
+    pub fn write_csv(&self, mut out: impl io::Write) -> io::Result<()> {
+        writeln!(out, "{}", self.header())?;
+        let mut line = String::new();
+        for sample in &self.samples {
+            line.clear();
+            self.row(sample, &mut line);
+            writeln!(out, "{line}")?;
+        }
+        Ok(())
+    }
+
+    fn header(&self) -> String {
+        let mut columns: Vec<String> =
+            ["t_s", "lambda", "lambda_rate_per_s", "f", "u", "fdir", "limit_ratio", "limiting_joint"]
+                .map(str::to_owned)
+                .to_vec();
+        for (name, unit) in [("q", "rad"), ("qd_desired", "rad_per_s"), ("qd_commanded", "rad_per_s")] {
+            columns.extend((1..=self.joints).map(|joint| format!("{name}{joint}_{unit}")));
+        }
+        columns.extend(["x_m", "y_m", "z_m", "alpha_rad", "beta_rad", "gamma_rad"].map(|c| format!("error_{c}")));
+        columns.extend(["measured", "bound", "estimate"].map(|c| format!("chattering_{c}")));
+        columns.join(",")
+    }
+
+    fn row(&self, s: &Sample, line: &mut String) {
+        // Times are sums of sampling periods: ten digits hide their rounding and nothing else.
+        let _ = write!(line, "{:.10},", s.t);
+        for value in [s.lambda, s.path_rate, s.factor, s.switch, s.direction_factor, s.limit_ratio] {
+            let _ = write!(line, "{value},");
+        }
+        if let Some(joint) = s.limiting_joint {
+            let _ = write!(line, "{}", joint + 1);
+        }
+        for values in [&s.q, &s.desired, &s.commanded] {
+            for value in &values[..self.joints] {
+                let _ = write!(line, ",{value}");
+            }
+        }
+        for value in s.error {
+            let _ = write!(line, ",{value}");
+        }
+        match s.chatter {
+            Some(c) => {
+                let _ = write!(line, ",{},{},{}", c.measured, c.bound, c.estimate);
+            }
+            None => line.push_str(",,,"),
+        }
+    }
+}
