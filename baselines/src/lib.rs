@@ -1,1 +1,4 @@
-//! x
+//! Offline optima and rival methods, each solution re-checked by a certificate that does not trust the solver.
+
+pub mod outward;
+pub mod time_optimal;

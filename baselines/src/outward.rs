@@ -1,0 +1,120 @@
+//! Arithmetic with outward rounding: an interval that contains the exact result whatever the rounding.
+//!
+//! IEEE 754 rounds each operation to the nearest number, so one step outwards from the rounded result contains the exact
+//! one. Twice as wide as directed rounding would be, and it needs no change of the processor's mode.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// An interval `[lo, hi]` that contains the exact value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outward {
+    /// Lower end.
+    pub lo: f64,
+    /// Upper end.
+    pub hi: f64,
+}
+
+impl Outward {
+    /// The interval of a single number.
+    #[must_use]
+    pub fn exact(x: f64) -> Self {
+        Self { lo: x, hi: x }
+    }
+
+    /// Zero.
+    pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
+
+    /// The interval from rounded ends, one step outwards each. NaN widens to everything.
+    fn widened(lo: f64, hi: f64) -> Self {
+        if lo.is_nan() || hi.is_nan() {
+            return Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+        }
+        Self { lo: lo.next_down(), hi: hi.next_up() }
+    }
+
+    /// Square root of an interval without negative numbers; negative parts are cut off.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let root = Self::widened(self.lo.max(0.0).sqrt(), self.hi.max(0.0).sqrt());
+        Self { lo: root.lo.max(0.0), hi: root.hi }
+    }
+
+    /// The smaller of the value and zero.
+    #[must_use]
+    pub fn min_zero(self) -> Self {
+        Self { lo: self.lo.min(0.0), hi: self.hi.min(0.0) }
+    }
+}
+
+impl Add for Outward {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::widened(self.lo + other.lo, self.hi + other.hi)
+    }
+}
+
+impl Sub for Outward {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::widened(self.lo - other.hi, self.hi - other.lo)
+    }
+}
+
+impl Neg for Outward {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Mul for Outward {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
+        if products.iter().any(|p| p.is_nan()) {
+            return Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+        }
+        Self::widened(
+            products.iter().copied().fold(f64::INFINITY, f64::min),
+            products.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        )
+    }
+}
+
+impl Div for Outward {
+    type Output = Self;
+    /// Division by an interval that contains zero gives everything.
+    fn div(self, other: Self) -> Self {
+        if other.lo <= 0.0 && other.hi >= 0.0 {
+            return Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+        }
+        self * Self::widened(1.0 / other.hi, 1.0 / other.lo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_third_times_three_contains_one_and_is_narrow() {
+        let third = Outward::exact(1.0) / Outward::exact(3.0);
+        assert!(third.lo < third.hi);
+        let one = third * Outward::exact(3.0);
+        assert!(one.lo <= 1.0 && 1.0 <= one.hi && one.hi - one.lo < 4e-15);
+    }
+
+    #[test]
+    fn square_root_of_two_squared_contains_two() {
+        let root = Outward::exact(2.0).sqrt();
+        let two = root * root;
+        assert!(two.lo <= 2.0 && 2.0 <= two.hi);
+    }
+
+    #[test]
+    fn division_by_zero_and_not_a_number_contain_everything() {
+        for x in [Outward::exact(1.0) / Outward::exact(0.0), Outward::exact(f64::NAN) + Outward::ZERO] {
+            assert_eq!((x.lo, x.hi), (f64::NEG_INFINITY, f64::INFINITY));
+        }
+    }
+}
