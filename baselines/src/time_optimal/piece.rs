@@ -99,9 +99,15 @@ fn check_finite(piece: &SampledPiece, index: usize) -> Result<(), OptimumError> 
     }
 }
 
-/// `b <= 1 / max_i (q_i' / limit_i)²`; infinite where no joint moves.
+/// Where no joint moves (a cusp of the path) the speed limits leave `b` unbounded. There it is bounded as if the joints moved
+/// at this share of the fastest place of the piece: what a grid of a thousand intervals resolves.
+const CUSP: f64 = 1e-3;
+
+/// `b <= 1 / max_i (q_i' / limit_i)²`; infinite if no joint moves anywhere along the piece.
 fn speed_caps(path: &SampledPath, piece: &SampledPiece) -> Vec<f64> {
-    piece.nodes.iter().map(|node| path.slowness(node).powi(-2)).collect()
+    let slowness: Vec<f64> = piece.nodes.iter().map(|node| path.slowness(node)).collect();
+    let floor = CUSP * slowness.iter().copied().fold(0.0, f64::max);
+    slowness.iter().map(|s| s.max(floor).powi(-2)).collect()
 }
 
 /// `|q' s̈ + q'' b| <= a` at both ends of every interval, scaled to a right-hand side of 1.

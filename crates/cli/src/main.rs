@@ -1,2 +1,25 @@
-//! x
-fn main() {}
+//! The `slideway` command.
+//!
+//! Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
+
+mod args;
+mod commands;
+mod compare;
+mod diagnostic;
+mod report;
+mod summary;
+mod table;
+mod verdict;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match commands::run(args::Arguments::parse()) {
+        Ok(outcome) => ExitCode::from(outcome.exit_status()),
+        Err(error) => {
+            eprintln!("{:?}", error.into_report());
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,7 +1,7 @@
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
-use crate::problem::{Problem, joint_count};
+use crate::problem::{ControlSettings, Problem, joint_count};
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
 use crate::simulate::simulate;
@@ -35,6 +35,7 @@ struct Traced<const N: usize> {
 
 /// What an experiment does without knowing the number of joints.
 trait AnyJoints {
+    fn control(&self) -> ControlSettings;
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError>;
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
@@ -93,6 +94,12 @@ impl Experiment {
         self.any().sample(intervals, between)
     }
 
+    /// Parameters of the controller and the speed regulator.
+    #[must_use]
+    pub fn control(&self) -> ControlSettings {
+        self.any().control()
+    }
+
     /// Points of the tool path, m.
     #[must_use]
     pub fn tool_path(&self, points: usize) -> Vec<[f64; 3]> {
@@ -115,6 +122,10 @@ impl<const N: usize> Traced<N> {
 }
 
 impl<const N: usize> AnyJoints for Traced<N> {
+    fn control(&self) -> ControlSettings {
+        self.problem.control
+    }
+
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError> {
         let length = self.problem.path.end() - self.problem.path.start();
         let rate = self.problem.fixed_speed.rate.unwrap_or(length / shortest_time);

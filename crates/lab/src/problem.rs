@@ -78,6 +78,14 @@ pub enum Integration {
     Rk4,
 }
 
+impl ControlSettings {
+    /// The filter step `a = af Ts`.
+    #[must_use]
+    pub fn filter_step(&self) -> f64 {
+        self.bandwidth * self.sampling_period
+    }
+}
+
 impl<const N: usize> Problem<N> {
     /// Makes a problem from a scenario for an arm of `N` joints.
     ///
@@ -300,7 +308,7 @@ fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {
         target_rate: positive("control.target_rate", table.target_rate)?,
         max_duration: table.max_duration.map(|d| positive("control.max_duration", d)).transpose()?,
     };
-    let step = settings.bandwidth * settings.sampling_period;
+    let step = settings.filter_step();
     if step > 1.0 {
         return Err(LabError::value("control.bandwidth", ParameterError::FilterStep { step }));
     }

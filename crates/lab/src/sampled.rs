@@ -1,6 +1,7 @@
 use crate::error::LabError;
 use crate::joint_path::{JointPath, JointPoint, Piece, PieceKind};
-use crate::problem::Problem;
+use crate::problem::{ControlSettings, Problem};
+use slideway_conditioner::bounds;
 
 /// A joint path sampled on a grid, with its limits: what an offline optimum needs, whatever the number of joints.
 #[derive(Clone, Debug)]
@@ -58,6 +59,23 @@ impl SampledPath {
             .zip(self.speed_lower.iter().zip(&self.speed_upper))
             .map(|(&v, (&lo, &up))| if v < 0.0 { v / lower_or_nan(lo) } else { v / up })
             .fold(0.0, f64::max)
+    }
+
+    /// Bound on the largest use of a speed limit by the explicit sliding mode, without tracking error (claim
+    /// `drifting-band`); `None` where the reaching condition fails or the path has a corner or a self-motion.
+    ///
+    /// With `g = λ̇d · slowness`: `L = sup |d ln g / dλ|` and `λ̇*max = max 1 / slowness`, both from the samples, hence as good
+    /// as the grid is fine.
+    #[must_use]
+    pub fn limit_ratio_bound(&self, control: &ControlSettings) -> Option<f64> {
+        let [piece] = self.pieces.as_slice() else { return None };
+        let samples: Vec<(f64, f64)> = piece.in_order().iter().map(|p| (p.s, self.slowness(p))).collect();
+        let slope = |w: &[(f64, f64)]| ((w[1].1 / w[0].1).ln() / (w[1].0 - w[0].0)).abs();
+        let steepest = samples.windows(2).map(slope).fold(0.0, f64::max);
+        let slowest = samples.iter().map(|s| s.1).fold(f64::INFINITY, f64::min);
+        let slowness = samples.iter().map(|s| s.1).fold(0.0, f64::max);
+        let drift = steepest * control.sampling_period / slowest;
+        bounds::drifting_band(control.filter_step(), control.target_rate * slowness, drift)
     }
 
     fn piece_time(&self, piece: &SampledPiece) -> f64 {

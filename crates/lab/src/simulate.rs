@@ -206,7 +206,7 @@ impl<'a, const N: usize> Run<'a, N> {
         desired: &[f64; N],
     ) -> Chatter {
         let control = &self.problem.control;
-        let filter_step = control.bandwidth * control.sampling_period;
+        let filter_step = control.filter_step();
         let (last, last_factor, last_desired) = before;
         let mut chatter = Chatter { measured: 0.0, bound: 0.0, estimate: 0.0 };
         let limits = &self.problem.speed_limits;

@@ -1,0 +1,45 @@
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+
+/// Sliding-mode reference conditioners for robots, beside certified optima.
+#[derive(Debug, Parser)]
+#[command(version, about, long_about = None, arg_required_else_help = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run every speed law on a scenario and put it beside the certified time optimum.
+    ///
+    /// Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
+    Compare(CompareArguments),
+    /// Show the built-in scenarios.
+    List,
+    /// Print a built-in scenario, to start your own from.
+    Show {
+        /// Name of a built-in scenario.
+        scenario: String,
+    },
+    /// Write a commented scenario file that runs as it is.
+    Init {
+        /// The file to write; it must not exist yet.
+        file: PathBuf,
+    },
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct CompareArguments {
+    /// Name of a built-in scenario, or path of a scenario file (TOML).
+    pub(crate) scenario: String,
+    /// Where to write the results [default: out/<scenario>].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].
+    #[arg(long, value_name = "X")]
+    pub(crate) tolerance: Option<f64>,
+    /// Print summary.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}

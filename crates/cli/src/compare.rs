@@ -1,0 +1,148 @@
+use crate::args::CompareArguments;
+use crate::commands::{Outcome, load, print, scenario_error};
+use crate::diagnostic::CliError;
+use crate::summary::{MethodEntry, OptimumEntry, Summary};
+use crate::verdict::Verdict;
+use crate::{report, table};
+use indicatif::{ProgressBar, ProgressStyle};
+use slideway_baselines::time_optimal::{TimeOptimum, time_optimum};
+use slideway_figures::{OptimumCurve, SpeedStudy, draw_speed_study};
+use slideway_lab::{ControlSettings, Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Samples between grid points at which violations are looked for.
+const BETWEEN: usize = 7;
+
+pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
+    let scenario = load(&arguments.scenario)?;
+    let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
+    if !(tolerance >= 0.0 && tolerance.is_finite()) {
+        let remedy = "give a fraction of the optimum, for example 0.02";
+        return Err(CliError::Option { option: "tolerance", value: tolerance, remedy });
+    }
+    let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
+    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(scenario.name()));
+    let progress = progress();
+
+    progress.set_message("tracing the joint path");
+    let experiment = Experiment::new(&scenario).map_err(pointed)?;
+    let traces = run_methods(&experiment, &progress).map_err(pointed)?;
+    progress.set_message("solving for the optimum");
+    let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
+    let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
+    let optimum = time_optimum(&path)?;
+    let summary = summarise(&scenario, &experiment.control(), &traces, &path, &finer, &optimum, tolerance)?;
+    progress.inc(1);
+
+    progress.set_message("writing traces and figures");
+    write(&out, &scenario, &experiment, &traces, &path, &optimum, &summary)?;
+    progress.finish_and_clear();
+    show(arguments, &summary, &out)?;
+    Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
+}
+
+fn progress() -> ProgressBar {
+    let bar = ProgressBar::new(Method::ALL.len() as u64 + 2);
+    if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn run_methods(experiment: &Experiment, progress: &ProgressBar) -> Result<Vec<Trace>, LabError> {
+    Method::ALL
+        .iter()
+        .map(|&method| {
+            progress.set_message(method.name());
+            let trace = experiment.run(method);
+            progress.inc(1);
+            trace
+        })
+        .collect()
+}
+
+fn summarise(
+    scenario: &Scenario,
+    control: &ControlSettings,
+    traces: &[Trace],
+    path: &SampledPath,
+    finer: &SampledPath,
+    optimum: &TimeOptimum,
+    tolerance: f64,
+) -> Result<Summary, CliError> {
+    let closed_form = path.speed_limited_time();
+    let entry = OptimumEntry::new(optimum, closed_form, time_optimum(finer)?.duration_s);
+    let speed_only = match &path.acceleration {
+        None => None,
+        Some(_) => {
+            let without = |path: &SampledPath| SampledPath { acceleration: None, ..path.clone() };
+            let refined = time_optimum(&without(finer))?.duration_s;
+            Some(OptimumEntry::new(&time_optimum(&without(path))?, closed_form, refined))
+        }
+    };
+    let methods: Vec<MethodEntry> = traces.iter().map(|trace| MethodEntry::new(trace, &entry)).collect();
+    let verdict = Verdict::new(&methods, traces, &entry, path.acceleration.as_deref(), tolerance);
+    Ok(Summary {
+        scenario: scenario.name().to_owned(),
+        description: scenario.description().to_owned(),
+        methods,
+        optimum: entry,
+        optimum_speed_only: speed_only,
+        limit_ratio_bound: path.limit_ratio_bound(control),
+        verdict,
+    })
+}
+
+/// Creates a file with what `fill` writes into it.
+fn create(path: PathBuf, fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>) -> Result<(), CliError> {
+    let result = fs::File::create(&path).and_then(|file| {
+        let mut out = std::io::BufWriter::new(file);
+        fill(&mut out)?;
+        std::io::Write::flush(&mut out)
+    });
+    result.map_err(|source| CliError::Write { path, source })
+}
+
+fn write(
+    out: &Path,
+    scenario: &Scenario,
+    experiment: &Experiment,
+    traces: &[Trace],
+    path: &SampledPath,
+    optimum: &TimeOptimum,
+    summary: &Summary,
+) -> Result<(), CliError> {
+    let figures_dir = out.join("figures");
+    fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
+    for trace in traces {
+        create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
+    }
+    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
+    let lambda: Vec<f64> = optimum.pieces.iter().flat_map(|p| p.lambda.iter().copied()).collect();
+    let path_rate: Vec<f64> = optimum.pieces.iter().flat_map(|p| p.path_rate()).collect();
+    let study = SpeedStudy {
+        title: scenario.name(),
+        traces,
+        tool_path: &experiment.tool_path(400),
+        tool_traces: &traces.iter().map(|t| experiment.tool_trace(t)).collect::<Vec<_>>(),
+        speed_lower: &path.speed_lower,
+        speed_upper: &path.speed_upper,
+        optimum: OptimumCurve { lambda: &lambda, path_rate: &path_rate },
+        filter_step: experiment.control().filter_step(),
+        bound: summary.limit_ratio_bound,
+    };
+    let figures = draw_speed_study(&study, &figures_dir)?;
+    create(out.join("report.html"), |file| file.write_all(report::render(summary, scenario, &figures).as_bytes()))
+}
+
+fn show(arguments: &CompareArguments, summary: &Summary, out: &Path) -> Result<(), CliError> {
+    if arguments.json {
+        let text = serde_json::to_string_pretty(summary)
+            .map_err(|error| CliError::Write { path: out.join("summary.json"), source: error.into() })?;
+        print(&(text + "\n"));
+    } else {
+        print(&format!("{}\nwrote {}\n", table::render(summary), out.join("report.html").display()));
+    }
+    Ok(())
+}

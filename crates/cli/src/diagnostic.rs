@@ -1,0 +1,104 @@
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use slideway_baselines::time_optimal::OptimumError;
+use slideway_figures::FigureError;
+use slideway_lab::{LabError, locate};
+use std::fmt;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// What the command cannot do, with what it needs to show where and what to do.
+#[derive(Debug, Error)]
+pub(crate) enum CliError {
+    /// A scenario that cannot be used, with its text if there is one.
+    #[error("{error}")]
+    Scenario { error: LabError, file: String, text: Option<String> },
+    /// Neither a built-in scenario nor a file.
+    #[error("there is no built-in scenario and no file called `{name}`")]
+    UnknownScenario { name: String, nearest: Option<&'static str> },
+    /// An option with a value that makes no sense.
+    #[error("--{option} is {value}")]
+    Option { option: &'static str, value: f64, remedy: &'static str },
+    /// A file that exists and must not.
+    #[error("{} exists already", path.display())]
+    Exists { path: PathBuf },
+    /// A file or folder that cannot be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write { path: PathBuf, source: std::io::Error },
+    /// No optimum.
+    #[error("no optimum: {0}")]
+    Optimum(#[from] OptimumError),
+    /// No figures.
+    #[error("no figures: {0}")]
+    Figures(#[from] FigureError),
+}
+
+impl CliError {
+    /// As a report that prints with file, line and remedy.
+    pub(crate) fn into_report(self) -> miette::Report {
+        let (source, span) = match &self {
+            Self::Scenario { error, file, text: Some(text) } => {
+                (Some(NamedSource::new(file.clone(), text.clone()).with_language("TOML")), locate(text, error))
+            }
+            _ => (None, None),
+        };
+        let help = self.remedy();
+        miette::Report::new(Pointed { message: self.to_string(), source, span, help })
+    }
+
+    fn remedy(&self) -> String {
+        match self {
+            Self::Scenario { error, .. } => error.remedy(),
+            Self::UnknownScenario { nearest: Some(nearest), .. } => {
+                format!("did you mean `{nearest}`? `slideway list` shows the built-in scenarios")
+            }
+            Self::UnknownScenario { nearest: None, .. } => {
+                "`slideway list` shows the built-in scenarios, `slideway init FILE` writes one of your own".into()
+            }
+            Self::Option { remedy, .. } => (*remedy).into(),
+            Self::Exists { .. } => "choose another name, or remove the file first".into(),
+            Self::Write { .. } => {
+                "check that the folder exists and may be written, or choose another with --out".into()
+            }
+            Self::Optimum(OptimumError::NoMotion { .. }) => "give a path along which the joints move".into(),
+            Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
+            Self::Figures(_) => "check that the output folder may be written".into(),
+        }
+    }
+}
+
+/// An error with a place in a text and a remedy.
+struct Pointed {
+    message: String,
+    source: Option<NamedSource<String>>,
+    span: Option<std::ops::Range<usize>>,
+    help: String,
+}
+
+impl fmt::Debug for Pointed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl fmt::Display for Pointed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Pointed {}
+
+impl Diagnostic for Pointed {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(&self.help))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|s| s as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let span = self.span.clone()?;
+        Some(Box::new(std::iter::once(LabeledSpan::new(Some("here".into()), span.start, span.len()))))
+    }
+}

@@ -1,0 +1,108 @@
+use crate::summary::{MethodEntry, Summary};
+use crate::table::short;
+use slideway_figures::Rendered;
+use slideway_lab::Scenario;
+
+/// Styles of the report: readable on a phone, in light and in dark.
+const STYLE: &str = include_str!("report.css");
+
+/// The report as one file that opens from disk without a network.
+pub(crate) fn render(summary: &Summary, scenario: &Scenario, figures: &[Rendered]) -> String {
+    let title = escape(&summary.scenario);
+    let figures: String = figures.iter().map(figure).collect();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} - slideway</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p>{}</p>\n\
+         <p class=\"verdict {}\">{}</p>\n{}\n{}\n{figures}\n\
+         <details><summary>The scenario file</summary><pre>{}</pre></details>\n</main>\n</body>\n</html>\n",
+        escape(&summary.description),
+        if summary.verdict.holds { "holds" } else { "fails" },
+        escape(&summary.verdict.sentence),
+        methods(&summary.methods),
+        optimum(summary),
+        escape(scenario.text()),
+    )
+}
+
+fn methods(entries: &[MethodEntry]) -> String {
+    let rows: String = entries.iter().map(method).collect();
+    format!(
+        "<h2>Speed laws beside the optimum</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>method</th><th>knows in advance</th>\
+         <th>reference ends [s]</th><th>motion starts [s]</th><th>robot arrives [s]</th><th>T / T*</th>\
+         <th>RMS error [m, rad]</th><th>peak error [mm]</th><th>peak error [mrad]</th><th>largest use of a speed limit</th>\
+         <th>chattering</th><th>its bound</th><th>paper's estimate</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
+         <p class=\"note\">T runs from the start of motion to the <em>robot's</em> arrival (reference at its end, tool within \
+         0.1 mm and 1 mrad of it). Peak errors and the use of a limit count while the reference moves. Chattering is the \
+         largest change of a desired joint speed over one sample, as a share of its limit.</p>\n"
+    )
+}
+
+fn method(entry: &MethodEntry) -> String {
+    let s = &entry.summary;
+    let seconds = |value: Option<f64>| value.map_or("never".into(), |v| format!("{v:.4}"));
+    let chattering =
+        |value: fn(&slideway_lab::Chattering) -> f64| s.chattering.map_or("-".into(), |c| short(value(&c)));
+    let cells = [
+        s.method.name().to_owned(),
+        entry.knows.to_owned(),
+        seconds(s.duration_s),
+        seconds(s.motion_start_s),
+        seconds(s.robot_arrival_s),
+        entry.ratio.map_or("-".into(), |r| format!("{r:.4}")),
+        format!("{:.4}", s.rms_error_norm),
+        short(1e3 * s.peak_path_error_m),
+        short(1e3 * s.peak_path_error_rad),
+        short(s.limit_ratio_peak),
+        chattering(|c| c.measured),
+        chattering(|c| c.bound),
+        chattering(|c| c.paper_estimate),
+    ];
+    let cells: String = cells.iter().map(|c| format!("<td>{}</td>", escape(c))).collect();
+    format!("<tr>{cells}</tr>\n")
+}
+
+fn optimum(summary: &Summary) -> String {
+    let block = |name: &str, o: &crate::summary::OptimumEntry| {
+        format!(
+            "<h2>{name}</h2>\n<dl><dt>certified bounds</dt><dd>[{:.7}, {:.7}] s, relative gap {:.1e}: {}</dd>\
+             <dt>grid</dt><dd>{} points; on a grid twice as fine {:.6} s; closed form for speed limits alone {:.6} s</dd>\
+             <dt>between grid points</dt><dd>largest violation of a speed limit {:.1e}, of an acceleration limit {:.1e}, as shares</dd>\
+             <dt>solver</dt><dd>says {}, {} iterations, {:.0} ms; the certificate decides, not the status</dd></dl>\n",
+            o.lower_s,
+            o.upper_s,
+            o.gap,
+            if o.certified { "certified" } else { "not certified" },
+            o.grid_points,
+            o.refined_s,
+            o.closed_form_speed_s,
+            o.between_nodes_speed,
+            o.between_nodes_acceleration,
+            escape(&o.status),
+            o.iterations,
+            1e3 * o.solve_s,
+        )
+    };
+    let main = block("The optimum", &summary.optimum);
+    let speed_only = summary
+        .optimum_speed_only
+        .as_ref()
+        .map_or_else(String::new, |o| block("The optimum under speed limits alone", o));
+    main + &speed_only
+}
+
+fn figure(figure: &Rendered) -> String {
+    // The figures' own colours of paper, ink and grid become the page's, so that they follow the reader's colour scheme.
+    let svg = figure
+        .svg
+        .replace("#FFFFFF", "var(--paper)")
+        .replace("#1A1A1A", "var(--ink)")
+        .replace("#D9D9D9", "var(--grid)");
+    let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
+    format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(&figure.caption))
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

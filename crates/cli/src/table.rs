@@ -1,0 +1,96 @@
+use crate::summary::{MethodEntry, OptimumEntry, Summary};
+use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
+
+/// The comparison as a table with what it means, for a terminal.
+pub(crate) fn render(summary: &Summary) -> String {
+    let mut table = Table::new();
+    table.load_preset(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_header([
+        "method",
+        "reference\nends [s]",
+        "motion\nstarts [s]",
+        "robot\narrives [s]",
+        "T / T*",
+        "RMS ‖e‖\n[m, rad]",
+        "peak error\n[mm | mrad]",
+        "largest\n‖F q̇d‖",
+        "chattering: measured\n≤ bound (estimate)",
+    ]);
+    for method in &summary.methods {
+        table.add_row(row(method));
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    format!("{}\n{table}\n\n{}\n{}\n", heading(summary), optimum(summary), summary.verdict.sentence)
+}
+
+fn heading(summary: &Summary) -> String {
+    format!("{} - {}", summary.scenario, summary.description)
+}
+
+fn row(entry: &MethodEntry) -> Vec<Cell> {
+    let s = &entry.summary;
+    let number = |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
+    let chattering = s
+        .chattering
+        .map_or("-".into(), |c| format!("{} ≤ {} ({})", short(c.measured), short(c.bound), short(c.paper_estimate)));
+    [
+        s.method.name().to_owned(),
+        if s.completed { number(s.duration_s, 4) } else { "never".into() },
+        number(s.motion_start_s, 4),
+        if s.completed { s.robot_arrival_s.map_or("never".into(), |v| format!("{v:.4}")) } else { "-".into() },
+        number(entry.ratio, 4),
+        format!("{:.4}", s.rms_error_norm),
+        format!("{} | {}", short(1e3 * s.peak_path_error_m), short(1e3 * s.peak_path_error_rad)),
+        short(s.limit_ratio_peak),
+        chattering,
+    ]
+    .into_iter()
+    .map(Cell::new)
+    .collect()
+}
+
+/// Four significant digits, without an exponent where it can be avoided.
+pub(crate) fn short(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        "0".into()
+    } else if size < 1e-4 {
+        format!("{value:.1e}")
+    } else if size < 10.0 {
+        format!("{value:.4}")
+    } else if size < 1000.0 {
+        format!("{value:.1}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+fn optimum(summary: &Summary) -> String {
+    let mut text = optimum_line("optimum T*", &summary.optimum);
+    if let Some(speed_only) = &summary.optimum_speed_only {
+        text += &optimum_line("under speed limits alone", speed_only);
+    }
+    text += "T / T* runs from the start of motion to the robot's arrival; errors and ‖F q̇d‖ count while the reference moves.\n";
+    text
+}
+
+fn optimum_line(name: &str, o: &OptimumEntry) -> String {
+    format!(
+        "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, solver says {}, {:.0} ms)\n  \
+         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, largest violation between grid points: speed \
+         {:.1e}, acceleration {:.1e} of the limit\n",
+        o.lower_s,
+        o.upper_s,
+        if o.certified { "certified" } else { "NOT certified" },
+        o.gap,
+        o.grid_points,
+        o.status,
+        1e3 * o.solve_s,
+        o.closed_form_speed_s,
+        o.refined_s,
+        o.between_nodes_speed,
+        o.between_nodes_acceleration,
+    )
+}

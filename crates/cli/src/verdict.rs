@@ -1,0 +1,142 @@
+use crate::summary::{MethodEntry, OptimumEntry};
+use serde::Serialize;
+use slideway_lab::{Method, Trace};
+
+/// Whether the sliding mode matches the optimum.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Verdict {
+    /// The method judged: the published form.
+    pub(crate) method: Method,
+    /// From the start of motion to the robot's arrival, over the optimum.
+    pub(crate) ratio: Option<f64>,
+    /// By how much the ratio may differ from 1.
+    pub(crate) tolerance: f64,
+    /// Whether it holds.
+    pub(crate) holds: bool,
+    /// The verdict in words.
+    pub(crate) sentence: String,
+}
+
+/// By how much an acceleration measured from whole samples may exceed its limit before the times count as not comparable.
+const ACCELERATION_SLACK: f64 = 0.01;
+
+impl Verdict {
+    pub(crate) fn new(
+        methods: &[MethodEntry],
+        traces: &[Trace],
+        optimum: &OptimumEntry,
+        acceleration: Option<&[f64]>,
+        tolerance: f64,
+    ) -> Self {
+        let method = Method::SlidingMode;
+        let entry = methods.iter().find(|m| m.summary.method == method);
+        let trace = traces.iter().find(|t| t.method == method);
+        let ratio = entry.and_then(|e| e.ratio);
+        let reason = entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| {
+            obstacle(entry, trace, optimum, acceleration)
+        });
+        let near = ratio.is_some_and(|r| (r - 1.0).abs() <= tolerance);
+        let holds = reason.is_none() && near;
+        let sentence = match (reason, entry, ratio) {
+            (Some(reason), ..) => format!("No: {reason}."),
+            (None, Some(entry), Some(ratio)) => {
+                let state = Comparison { entry, trace, ratio, optimum, tolerance, holds };
+                state.sentence()
+            }
+            _ => "No: there is nothing to compare.".into(),
+        };
+        Self { method, ratio, tolerance, holds, sentence }
+    }
+}
+
+/// What keeps the two times from being compared at all.
+fn obstacle(
+    entry: &MethodEntry,
+    trace: Option<&Trace>,
+    optimum: &OptimumEntry,
+    acceleration: Option<&[f64]>,
+) -> Option<String> {
+    if !optimum.certified {
+        return Some(format!("the optimum is not certified, its bounds are {:.1e} apart", optimum.gap));
+    }
+    if entry.summary.motion_start_s.is_none() {
+        return Some("the reference never moved: the position error alone used up the speed limits".into());
+    }
+    if !entry.summary.completed {
+        let reached = trace.and_then(|t| t.samples.last()).map_or(0.0, |s| s.lambda);
+        return Some(format!("the reference did not reach the path's end, it stopped at path parameter {reached:.4}"));
+    }
+    if entry.travel_s.is_none() {
+        return Some("the robot never came within 0.1 mm and 1 mrad of the path's end".into());
+    }
+    let excess = acceleration?
+        .iter()
+        .zip(&entry.summary.peak_acceleration)
+        .map(|(limit, peak)| peak / limit)
+        .fold(0.0, f64::max);
+    (excess > 1.0 + ACCELERATION_SLACK).then(|| {
+        format!(
+            "the optimum keeps the acceleration limits and the sliding mode, which does not know them, exceeds them \
+             {excess:.1} times; its time is not comparable (see the optimum under speed limits alone)"
+        )
+    })
+}
+
+/// Two comparable times.
+struct Comparison<'a> {
+    entry: &'a MethodEntry,
+    trace: Option<&'a Trace>,
+    ratio: f64,
+    optimum: &'a OptimumEntry,
+    tolerance: f64,
+    holds: bool,
+}
+
+impl Comparison<'_> {
+    fn sentence(&self) -> String {
+        let Self { entry, ratio, optimum, .. } = self;
+        let travel = entry.travel_s.unwrap_or(f64::NAN);
+        let difference = 100.0 * (ratio - 1.0);
+        let mut text = if self.holds {
+            format!("Yes: the sliding mode, knowing nothing of the path, needs {travel:.4} s")
+        } else {
+            format!("No: the sliding mode needs {travel:.4} s")
+        };
+        text += &format!(
+            " where no speed law needs less than {:.4} s: {:.2} % {} (tolerance {} %).",
+            optimum.lower_s,
+            difference.abs(),
+            if difference >= 0.0 { "slower" } else { "less" },
+            100.0 * self.tolerance
+        );
+        if *ratio < 1.0 {
+            text += &format!(
+                " It did not beat the optimum: it left the path by up to {:.3} mm, which the optimum may not.",
+                1e3 * entry.summary.peak_path_error_m
+            );
+        }
+        text + &self.trailing() + &self.idle()
+    }
+
+    /// The reference's end and the robot's arrival, where they differ by more than a sample.
+    fn trailing(&self) -> String {
+        let summary = &self.entry.summary;
+        let period = self.trace.map_or(0.0, |t| t.sampling_period);
+        match (summary.duration_s, summary.robot_arrival_s) {
+            (Some(end), Some(arrival)) if arrival - end > period => format!(
+                " The reference finished at {end:.4} s while the robot still trailed; the robot arrived at {arrival:.4} s."
+            ),
+            _ => String::new(),
+        }
+    }
+
+    /// A target rate that never reaches the limits leaves nothing to regulate.
+    fn idle(&self) -> String {
+        let acted = self.trace.is_some_and(|t| t.following().iter().any(|s| s.switch < 1.0));
+        if acted || self.holds {
+            String::new()
+        } else {
+            " The limits were never reached: raise `control.target_rate`.".into()
+        }
+    }
+}

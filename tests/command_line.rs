@@ -1,0 +1,155 @@
+//! The `slideway` command as a newcomer uses it, in an empty folder.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn slideway(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+fn json(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).expect("valid JSON")
+}
+
+#[test]
+fn compare_writes_everything_it_promises_and_the_verdict_holds() {
+    let folder = tempfile::tempdir().expect("folder");
+    let output = slideway(folder.path(), &["compare", "puma-helix"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(stdout(&output).contains("Yes: the sliding mode"));
+    let out = folder.path().join("out/puma-helix");
+    let summary = json(&std::fs::read_to_string(out.join("summary.json")).expect("summary"));
+    let methods: Vec<&str> =
+        summary["methods"].as_array().expect("list").iter().map(|m| m["method"].as_str().expect("name")).collect();
+    let expected = [
+        "ideal",
+        "saturated",
+        "direction-preserving",
+        "sliding-mode",
+        "sliding-mode-synchronised",
+        "sliding-mode-implicit",
+    ];
+    assert_eq!(methods, expected);
+    for method in expected {
+        let trace = std::fs::read_to_string(out.join(format!("trace-{method}.csv"))).expect("trace");
+        let width = trace.lines().next().expect("header").split(',').count();
+        assert!(trace.lines().count() > 1000 && trace.lines().all(|l| l.split(',').count() == width));
+    }
+    let figures: Vec<_> = std::fs::read_dir(out.join("figures")).expect("figures").collect();
+    assert!(figures.len() >= 12, "each figure as SVG and as PNG");
+    let report = std::fs::read_to_string(out.join("report.html")).expect("report");
+    for link in ["src=\"http", "href=\"http", "url(http", "<script"] {
+        assert!(!report.contains(link), "the report must open without a network: {link}");
+    }
+}
+
+#[test]
+fn json_on_standard_output_is_the_summary_with_its_documented_keys() {
+    let folder = tempfile::tempdir().expect("folder");
+    let output = slideway(folder.path(), &["compare", "puma-helix-on-path", "--json", "--out", "here"]);
+    assert_eq!(output.status.code(), Some(0));
+    let summary = json(&stdout(&output));
+    assert_eq!(summary, json(&std::fs::read_to_string(folder.path().join("here/summary.json")).expect("summary")));
+    assert_eq!(summary["scenario"], "puma-helix-on-path");
+    for key in ["duration_s", "lower_s", "upper_s", "grid_points", "status", "solve_s"] {
+        assert!(!summary["optimum"][key].is_null(), "optimum.{key}");
+    }
+    for key in ["ratio", "tolerance", "holds"] {
+        assert!(!summary["verdict"][key].is_null(), "verdict.{key}");
+    }
+    let sliding = &summary["methods"][3];
+    for key in [
+        "completed", "duration_s", "motion_start_s", "robot_arrival_s", "rms_error", "rms_error_norm", "peak_error",
+        "limit_ratio_peak",
+    ] {
+        assert!(!sliding[key].is_null(), "{key}");
+    }
+    let chattering = &sliding["chattering"];
+    assert!(chattering["measured"].as_f64() <= chattering["bound"].as_f64());
+    assert!(chattering["paper_estimate"].is_f64());
+    // The proven band contains what was measured.
+    assert!(sliding["limit_ratio_peak"].as_f64() <= summary["limit_ratio_bound"].as_f64());
+}
+
+#[test]
+fn a_verdict_that_does_not_hold_exits_with_1() {
+    let folder = tempfile::tempdir().expect("folder");
+    let output = slideway(folder.path(), &["compare", "puma-helix", "--tolerance", "1e-4"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stdout(&output).contains("No: the sliding mode needs"));
+}
+
+#[test]
+fn every_built_in_scenario_is_listed_shown_and_runs() {
+    let folder = tempfile::tempdir().expect("folder");
+    let list = stdout(&slideway(folder.path(), &["list"]));
+    let names: Vec<&str> = list.lines().filter_map(|l| l.split_whitespace().next()).collect();
+    assert!(names.len() >= 3);
+    for name in names {
+        let text = stdout(&slideway(folder.path(), &["show", name]));
+        let file = folder.path().join("copy.toml");
+        std::fs::write(&file, text).expect("written");
+        let output = slideway(folder.path(), &["compare", "copy.toml", "--json"]);
+        assert!(matches!(output.status.code(), Some(0 | 1)), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(json(&stdout(&output))["optimum"]["certified"], true, "{name}");
+    }
+}
+
+#[test]
+fn the_template_of_init_runs_as_it_is_and_is_not_overwritten() {
+    let folder = tempfile::tempdir().expect("folder");
+    assert_eq!(slideway(folder.path(), &["init", "mine.toml"]).status.code(), Some(0));
+    assert_eq!(slideway(folder.path(), &["compare", "mine.toml"]).status.code(), Some(0));
+    assert!(folder.path().join("out/mine/report.html").exists());
+    let again = slideway(folder.path(), &["init", "mine.toml"]);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&again.stderr).contains("exists already"));
+}
+
+/// A planar two-joint arm on a circle, without a closed-form inverse: nothing of it is built in.
+const PLANAR: &str = r#"
+[robot]
+dh = [{ a = 0.5, alpha = 0, d = 0 }, { a = 0.4, alpha = 0, d = 0 }]
+task = "planar-position"
+inverse.adjugate.epsilon = 1e-6
+[start]
+near = [0.2, 1.2]
+[path]
+end = "2 * pi"
+position.formula = { x = "0.5 + 0.1 * cos(lambda)", y = "0.3 + 0.1 * sin(lambda)", z = "0" }
+[limits]
+speed = [1.0, 2.0]
+speed_lower = [-0.5, -1.5]
+[control]
+gain = 10
+sampling_period = 1e-3
+bandwidth = 30
+target_rate = 12
+"#;
+
+#[test]
+fn an_arm_and_path_of_ones_own_with_asymmetric_limits_meet_the_optimum() {
+    let folder = tempfile::tempdir().expect("folder");
+    std::fs::write(folder.path().join("planar.toml"), PLANAR).expect("written");
+    let output = slideway(folder.path(), &["compare", "planar.toml", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}{}", stdout(&output), String::from_utf8_lossy(&output.stderr));
+    let summary = json(&stdout(&output));
+    let ratio = summary["verdict"]["ratio"].as_f64().expect("ratio");
+    assert!((1.0 - 1e-4..1.02).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn acceleration_limits_slow_the_optimum_and_make_the_times_incomparable() {
+    let folder = tempfile::tempdir().expect("folder");
+    let text = PLANAR.replace("speed = [1.0, 2.0]", "speed = [1.0, 2.0]\nacceleration = 2.0");
+    std::fs::write(folder.path().join("planar.toml"), text).expect("written");
+    let output = slideway(folder.path(), &["compare", "planar.toml", "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let summary = json(&stdout(&output));
+    assert!(summary["optimum"]["lower_s"].as_f64() > summary["optimum_speed_only"]["upper_s"].as_f64());
+    assert!(summary["verdict"]["sentence"].as_str().expect("sentence").contains("not comparable"));
+}
