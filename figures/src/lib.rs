@@ -1,1 +1,64 @@
-//! x
+//! The comparison of speed laws in pictures: one function draws every figure of a study, as SVG and as PNG, from the same
+//! drawing code and with a bundled font.
+//!
+//! Figures are [`WIDTH`](Rendered::width) 1000 px wide, meant for a column of 8.5 cm. The SVG uses `#FFFFFF` for the
+//! background, `#1A1A1A` for text, axes and limits and `#D9D9D9` for the grid, so that a page can restyle them.
+
+// Pixels are small whole numbers, samples far fewer than 2^52.
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, clippy::cast_sign_loss)]
+
+mod canvas;
+mod chattering;
+mod direction_factor;
+mod error;
+mod errors;
+mod facts;
+mod joint_speeds;
+mod multiples;
+mod panel;
+mod path_rate;
+mod path_rate_time;
+mod polyline;
+mod render;
+mod scale;
+mod study;
+mod style;
+mod tool_path;
+
+pub use error::FigureError;
+pub use render::Rendered;
+pub use study::{Optimum, SpeedStudy};
+
+use render::render;
+use std::path::Path;
+use study::Checked;
+
+/// Draws every figure of a study into the directory `dir`, which is made if missing.
+///
+/// A figure that the traces have nothing for is left out: the direction factor and the chattering belong to methods that
+/// preserve the direction and that are regulated.
+///
+/// # Errors
+///
+/// A study that cannot be drawn (no traces, an empty one, one that is not finite from its first sample, lists of unequal
+/// length, limits that do not enclose zero), or files that cannot be written. A trace that stops being finite later is
+/// drawn up to there, and its captions say so.
+pub fn draw_speed_study(study: &SpeedStudy, dir: &Path) -> Result<Vec<Rendered>, FigureError> {
+    style::register_fonts()?;
+    let checked = Checked::new(study)?;
+    std::fs::create_dir_all(dir).map_err(|source| FigureError::Write { path: dir.to_owned(), source })?;
+    let mut rendered = vec![
+        render(&path_rate::PathRate(&checked), dir)?,
+        render(&path_rate_time::PathRateOverTime(&checked), dir)?,
+        render(&joint_speeds::JointSpeeds::new(&checked), dir)?,
+        render(&errors::Errors::new(&checked), dir)?,
+        render(&tool_path::ToolPath::new(&checked), dir)?,
+    ];
+    if let Some(figure) = direction_factor::DirectionFactor::new(&checked) {
+        rendered.push(render(&figure, dir)?);
+    }
+    if let Some(figure) = chattering::Chattering::new(&checked) {
+        rendered.push(render(&figure, dir)?);
+    }
+    Ok(rendered)
+}

@@ -1,0 +1,185 @@
+//! Ranges, round tick values and their labels.
+
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use std::ops::Range;
+
+/// How values are spaced along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spacing {
+    Linear,
+    Logarithmic,
+}
+
+/// One axis: what it shows and over which range.
+#[derive(Clone, Debug)]
+pub(crate) struct Axis {
+    pub(crate) label: String,
+    pub(crate) spacing: Spacing,
+    /// In the values' unit, or as decimal logarithms of it.
+    range: Range<f64>,
+    ticks: Vec<f64>,
+    decimals: usize,
+}
+
+impl Axis {
+    /// A linear axis with about `count` ticks. An empty range is widened to one that can be drawn.
+    pub(crate) fn linear(label: &str, range: Range<f64>, count: usize) -> Self {
+        let range = drawable(range);
+        let step = round_step((range.end - range.start) / count.max(1) as f64);
+        let ticks = multiples(step, &range);
+        let decimals = if step >= 1.0 { 0 } else { (-step.log10().floor()).clamp(0.0, 9.0) as usize };
+        Self { label: label.to_owned(), spacing: Spacing::Linear, range, ticks, decimals }
+    }
+
+    /// A logarithmic axis over whole decades, at most `decades` of them below the upper end.
+    pub(crate) fn logarithmic(label: &str, range: Range<f64>, decades: u32) -> Self {
+        let end = if range.end > 0.0 { range.end.log10().ceil() } else { 0.0 };
+        let lowest = end - f64::from(decades);
+        let start = if range.start > 0.0 { range.start.log10().floor().max(lowest) } else { lowest };
+        let range = drawable(start.min(end - 1.0)..end);
+        let ticks = multiples(1.0, &range);
+        Self { label: label.to_owned(), spacing: Spacing::Logarithmic, range, ticks, decimals: 0 }
+    }
+
+    /// Position of a value along the axis: 0 at its start, 1 at its end.
+    pub(crate) fn fraction(&self, value: f64) -> f64 {
+        let value = match self.spacing {
+            Spacing::Linear => value,
+            // Zero has no place on this axis: negative infinity, which is cut at its lower end.
+            Spacing::Logarithmic => value.log10(),
+        };
+        (value - self.range.start) / (self.range.end - self.range.start)
+    }
+
+    pub(crate) fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+
+    pub(crate) fn tick_label(&self, tick: f64) -> String {
+        match self.spacing {
+            // Adding zero turns -0 into 0.
+            Spacing::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "−"),
+            Spacing::Logarithmic => format!("10{}", superscript(tick.round() as i64)),
+        }
+    }
+}
+
+/// How the drawing library sees an axis, its range and ticks being those of the spacing: decimal logarithms where it is
+/// logarithmic.
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let share = (value - self.range.start) / (self.range.end - self.range.start);
+        (f64::from(limit.0) + share * f64::from(limit.1 - limit.0)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks.clone()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, tick: &f64) -> String {
+        self.tick_label(*tick)
+    }
+}
+
+/// A range with both ends finite and some room between them.
+fn drawable(range: Range<f64>) -> Range<f64> {
+    let finite = range.start.is_finite() && range.end.is_finite();
+    if finite && range.end - range.start > 1e-12 * range.start.abs().max(range.end.abs()).max(1e-300) {
+        range
+    } else if finite {
+        let room = 0.5 * range.start.abs().max(1.0);
+        range.start - room..range.start + room
+    } else {
+        0.0..1.0
+    }
+}
+
+/// The round number (1, 2 or 5 times a power of ten) next above `step`, or nearly at it.
+fn round_step(step: f64) -> f64 {
+    let power = 10f64.powf(step.log10().floor());
+    let lead = step / power;
+    let round = [1.0, 2.0, 5.0].into_iter().find(|&r| lead <= r * 1.001).unwrap_or(10.0);
+    round * power
+}
+
+fn multiples(step: f64, range: &Range<f64>) -> Vec<f64> {
+    let (first, last) = ((range.start / step - 1e-9).ceil(), (range.end / step + 1e-9).floor());
+    (0..100).map(|i| first + f64::from(i)).take_while(|&k| k <= last).map(|k| k * step).collect()
+}
+
+fn superscript(exponent: i64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let digits = exponent.unsigned_abs().to_string();
+    let sign = if exponent < 0 { "⁻" } else { "" };
+    sign.chars().chain(digits.bytes().map(|b| DIGITS[usize::from(b - b'0') % 10])).collect()
+}
+
+/// A value to `digits` significant digits, in plain notation between 0.001 and 9999.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let power = value.abs().log10().floor();
+    if (-3.0..4.0).contains(&power) {
+        let decimals = (digits as f64 - 1.0 - power).max(0.0) as usize;
+        return format!("{value:.decimals$}").replace('-', "−");
+    }
+    let lead = value / 10f64.powf(power);
+    format!("{lead:.*}×10{}", digits.saturating_sub(1).min(1), superscript(power as i64)).replace('-', "−")
+}
+
+/// Smallest range that holds all finite values.
+pub(crate) fn span(values: impl IntoIterator<Item = f64>) -> Range<f64> {
+    let finite = values.into_iter().filter(|v| v.is_finite());
+    finite.fold(f64::INFINITY..f64::NEG_INFINITY, |r, v| r.start.min(v)..r.end.max(v))
+}
+
+/// Largest finite value, at least 0.
+pub(crate) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    span(values).end.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_and_inside_the_range() {
+        let axis = Axis::linear("x", -0.13..0.47, 5);
+        let labels: Vec<String> = axis.ticks.iter().map(|t| axis.tick_label(*t)).collect();
+        assert_eq!(labels, ["0.0", "0.2", "0.4"]);
+    }
+
+    #[test]
+    fn a_range_without_extent_or_end_can_still_be_drawn() {
+        for range in [1.0..1.0, 0.0..0.0, f64::NAN..1.0, f64::INFINITY..f64::NEG_INFINITY, 0.0..f64::INFINITY] {
+            let axis = Axis::linear("x", range, 5);
+            assert!(axis.range().end > axis.range().start);
+            assert!(!axis.ticks.is_empty());
+        }
+    }
+
+    #[test]
+    fn logarithmic_axes_label_decades() {
+        let axis = Axis::logarithmic("x", 0.002..0.7, 6);
+        let labels: Vec<String> = axis.ticks.iter().map(|t| axis.tick_label(*t)).collect();
+        assert_eq!(labels, ["10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
+        assert!(axis.fraction(0.0) < 0.0);
+    }
+
+    #[test]
+    fn significant_digits_read_as_a_person_would_write_them() {
+        assert_eq!(significant(4.2412, 4), "4.241");
+        assert_eq!(significant(0.0123, 2), "0.012");
+        assert_eq!(significant(123_456.0, 2), "1.2×10⁵");
+    }
+}
