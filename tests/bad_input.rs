@@ -21,10 +21,12 @@ fn spoil(from: &str, to: &str) -> (String, usize) {
     let folder = tempfile::tempdir().expect("folder");
     std::fs::write(folder.path().join("bad.toml"), spoiled.join("\n")).expect("written");
     let output = slideway(folder.path(), &["compare", "bad.toml"]);
-    let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+    // Long messages are wrapped for the terminal.
+    let printed = String::from_utf8_lossy(&output.stderr).replace("\n  │ ", " ");
     assert_eq!(output.status.code(), Some(2), "{to}: {printed}");
     assert!(!printed.contains("panicked"), "{printed}");
-    (printed, line + 1)
+    // A replacement of two lines puts what is wrong on the second.
+    (printed, line + 1 + to.matches('\n').count())
 }
 
 /// The error points at the line and says what is expected in its message.
@@ -60,7 +62,11 @@ fn values_that_cannot_be_meant_are_pointed_out_with_file_line_and_remedy() {
         ("radius = 0.1", "radius = 0", "not positive"),
         ("start = [0.58, -0.15, 0.14]", "start = [5.8, -0.15, 0.14]", "out of reach"),
         ("start = [0.58, -0.15, 0.14]", "start = [0.58, -0.15]", "length 3"),
-        ("pose = [0.68, -0.25, 0.19, 0.2, \"pi - 0.2\", 0.1]", "pose = [6.8, -0.25, 0.19, 0.2, 3, 0.1]", "out of reach"),
+        (
+            "pose = [0.68, -0.25, 0.19, 0.2, \"pi - 0.2\", 0.1]",
+            "pose = [6.8, -0.25, 0.19, 0.2, 3, 0.1]",
+            "out of reach",
+        ),
         ("rate = \"2 * pi / 5\"", "rate = 0", "not positive"),
         ("grid_points = 1000", "grid_points = -4", "u32"),
         ("grid_points = 1000", "grid_points = 0", "outside"),

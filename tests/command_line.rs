@@ -63,7 +63,13 @@ fn json_on_standard_output_is_the_summary_with_its_documented_keys() {
     }
     let sliding = &summary["methods"][3];
     for key in [
-        "completed", "duration_s", "motion_start_s", "robot_arrival_s", "rms_error", "rms_error_norm", "peak_error",
+        "completed",
+        "duration_s",
+        "motion_start_s",
+        "robot_arrival_s",
+        "rms_error",
+        "rms_error_norm",
+        "peak_error",
         "limit_ratio_peak",
     ] {
         assert!(!sliding[key].is_null(), "{key}");

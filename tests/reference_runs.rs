@@ -13,12 +13,7 @@ struct Row {
 fn rows(text: &str) -> Vec<Row> {
     let row = |line: &str| {
         let x: Vec<f64> = line.split(',').map(|c| c.parse().expect("number")).collect();
-        Row {
-            t: x[0],
-            lambda: x[1],
-            q: std::array::from_fn(|i| x[5 + i]),
-            error: std::array::from_fn(|i| x[17 + i]),
-        }
+        Row { t: x[0], lambda: x[1], q: std::array::from_fn(|i| x[5 + i]), error: std::array::from_fn(|i| x[17 + i]) }
     };
     text.lines().skip(1).map(row).collect()
 }

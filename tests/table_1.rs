@@ -60,9 +60,15 @@ fn motion_starts_and_ends_where_figure_5_says() {
     // Extrema of the path rate, chattering included: maximum, minimum, maximum, minimum. The specification gives times to
     // the millisecond and rates to three decimals.
     let samples = trace.following();
-    for (t, rate, is_maximum) in [(1.048, 1.987, true), (2.105, 1.341, false), (2.629, 1.900, true), (4.002, 1.133, false)] {
+    for (t, rate, is_maximum) in
+        [(1.048, 1.987, true), (2.105, 1.341, false), (2.629, 1.900, true), (4.002, 1.133, false)]
+    {
         let near: Vec<f64> = samples.iter().filter(|s| (s.t - t).abs() < 0.03).map(|s| s.path_rate).collect();
-        let extremum = if is_maximum { near.iter().copied().fold(0.0, f64::max) } else { near.iter().copied().fold(9.0, f64::min) };
+        let extremum = if is_maximum {
+            near.iter().copied().fold(0.0, f64::max)
+        } else {
+            near.iter().copied().fold(9.0, f64::min)
+        };
         assert!((extremum - rate).abs() <= 6e-4, "{extremum} near {t} s");
     }
 }
@@ -88,7 +94,8 @@ fn on_the_path_the_published_form_is_1_27_percent_slower_than_the_optimum() {
 #[test]
 fn the_implicit_form_keeps_the_limits_and_comes_closer_to_the_optimum() {
     let (text, slow) = built_in("puma-helix-on-path");
-    let fast = experiment(&text.replace("bandwidth = 5", "bandwidth = 20").replace("target_rate = 5", "target_rate = 50"));
+    let fast =
+        experiment(&text.replace("bandwidth = 5", "bandwidth = 20").replace("target_rate = 5", "target_rate = 50"));
     let optimum = time_optimum(&slow.sample(1000, 0).expect("reachable")).expect("solvable").duration_s;
     for (experiment, most) in [(&slow, 1.0125), (&fast, 1.001)] {
         let summary = summary(experiment, Method::SlidingModeImplicit);
@@ -102,7 +109,8 @@ fn the_implicit_form_keeps_the_limits_and_comes_closer_to_the_optimum() {
 fn a_reference_that_finishes_early_leaves_the_robot_behind() {
     // The published form at λ̇d 50, af 20: its reference ends below the optimum, its robot does not.
     let (text, _) = built_in("puma-helix-on-path");
-    let fast = experiment(&text.replace("bandwidth = 5", "bandwidth = 20").replace("target_rate = 5", "target_rate = 50"));
+    let fast =
+        experiment(&text.replace("bandwidth = 5", "bandwidth = 20").replace("target_rate = 5", "target_rate = 50"));
     let optimum = time_optimum(&fast.sample(1000, 0).expect("reachable")).expect("solvable").duration_s;
     let summary = summary(&fast, Method::SlidingMode);
     let reference = summary.duration_s.expect("completes") - summary.motion_start_s.expect("moves");
@@ -127,7 +135,8 @@ fn the_wrist_singularity_is_crossed_in_the_specified_time_with_a_stop() {
     assert!((trace.finish_s.expect("completes") - 2.0234).abs() <= 5e-3);
     let reached = trace.samples.iter().find(|s| s.lambda >= std::f64::consts::PI).expect("passes π").t;
     assert!((reached - 0.481).abs() <= 2e-3);
-    let standing: Vec<f64> = trace.following().iter().filter(|s| s.t > 0.4 && s.path_rate < 0.05).map(|s| s.t).collect();
+    let standing: Vec<f64> =
+        trace.following().iter().filter(|s| s.t > 0.4 && s.path_rate < 0.05).map(|s| s.t).collect();
     let stop = standing[standing.len() - 1] - standing[0];
     assert!((stop - 0.68).abs() <= 0.02, "{stop}");
     assert!((MethodSummary::new(&trace).peak_path_error_m - 4.5e-3).abs() <= 1e-4);

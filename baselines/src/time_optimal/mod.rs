@@ -76,6 +76,18 @@ impl ProfilePiece {
     }
 }
 
+impl ProfilePiece {
+    /// Time at the nodes since the piece's start, s.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        let mut times = vec![0.0];
+        for (s, b) in self.s.windows(2).zip(self.b.windows(2)) {
+            times.push(times[times.len() - 1] + 2.0 * (s[1] - s[0]) / (b[0].sqrt() + b[1].sqrt()));
+        }
+        times
+    }
+}
+
 /// Relative gap below which an answer is accepted.
 pub const GAP_TOLERANCE: f64 = 1e-6;
 

@@ -37,7 +37,7 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// Print summary.json instead of the table.
     #[arg(long)]

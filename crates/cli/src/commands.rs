@@ -83,7 +83,7 @@ pub(crate) fn load(name: &str) -> Result<Scenario, CliError> {
 }
 
 pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Option<String>) -> CliError {
-    CliError::Scenario { error, file: file.to_owned(), text }
+    CliError::Scenario { error: Box::new(error), file: file.to_owned(), text }
 }
 
 fn unknown(name: &str) -> CliError {

@@ -6,7 +6,7 @@ use crate::verdict::Verdict;
 use crate::{report, table};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_baselines::time_optimal::{TimeOptimum, time_optimum};
-use slideway_figures::{OptimumCurve, SpeedStudy, draw_speed_study};
+use slideway_figures::{Optimum, SpeedStudy, draw_speed_study};
 use slideway_lab::{ControlSettings, Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -119,8 +119,7 @@ fn write(
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
     create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
-    let lambda: Vec<f64> = optimum.pieces.iter().flat_map(|p| p.lambda.iter().copied()).collect();
-    let path_rate: Vec<f64> = optimum.pieces.iter().flat_map(|p| p.path_rate()).collect();
+    let curve = curve(optimum);
     let study = SpeedStudy {
         title: scenario.name(),
         traces,
@@ -128,12 +127,26 @@ fn write(
         tool_traces: &traces.iter().map(|t| experiment.tool_trace(t)).collect::<Vec<_>>(),
         speed_lower: &path.speed_lower,
         speed_upper: &path.speed_upper,
-        optimum: OptimumCurve { lambda: &lambda, path_rate: &path_rate },
+        optimum: Some(&curve),
         filter_step: experiment.control().filter_step(),
         bound: summary.limit_ratio_bound,
     };
     let figures = draw_speed_study(&study, &figures_dir)?;
     create(out.join("report.html"), |file| file.write_all(report::render(summary, scenario, &figures).as_bytes()))
+}
+
+/// The optimum's profile as the figures want it: path rate over path parameter and over time.
+fn curve(optimum: &TimeOptimum) -> Optimum {
+    let mut curve = Optimum::default();
+    let mut begin = 0.0;
+    for piece in &optimum.pieces {
+        let times = piece.times();
+        curve.time.extend(times.iter().map(|t| begin + t));
+        curve.lambda.extend(&piece.lambda);
+        curve.path_rate.extend(piece.path_rate());
+        begin += times.last().copied().unwrap_or(0.0);
+    }
+    curve
 }
 
 fn show(arguments: &CompareArguments, summary: &Summary, out: &Path) -> Result<(), CliError> {

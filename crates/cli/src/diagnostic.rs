@@ -11,7 +11,7 @@ use thiserror::Error;
 pub(crate) enum CliError {
     /// A scenario that cannot be used, with its text if there is one.
     #[error("{error}")]
-    Scenario { error: LabError, file: String, text: Option<String> },
+    Scenario { error: Box<LabError>, file: String, text: Option<String> },
     /// Neither a built-in scenario nor a file.
     #[error("there is no built-in scenario and no file called `{name}`")]
     UnknownScenario { name: String, nearest: Option<&'static str> },

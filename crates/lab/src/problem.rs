@@ -93,6 +93,7 @@ impl<const N: usize> Problem<N> {
     ///
     /// The first value that cannot be used, with its key.
     pub(crate) fn new(scenario: &Scenario) -> Result<Self, LabError> {
+        scenario.check_options()?;
         let file = &scenario.file;
         let task = task(file.robot.task);
         let arm = arm(&file.robot)?;
@@ -134,9 +135,9 @@ impl<const N: usize> Problem<N> {
                 ));
             }
             self.start = joints::<N>("start.q", q)?;
-            self.path_start = self.solve_pose(&first, None, Some(self.start), "path")?;
+            self.path_start = self.solve_pose(&first, None, Some(self.start), scenario.path_start_key())?;
         } else {
-            self.path_start = self.solve_pose(&first, branch, near, "path")?;
+            self.path_start = self.solve_pose(&first, branch, near, scenario.path_start_key())?;
             self.start = match &table.pose {
                 Some(pose) => {
                     let pose = Vector6::from_iterator(pose.iter().map(|n| n.0));

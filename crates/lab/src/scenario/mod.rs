@@ -3,8 +3,8 @@
 pub(crate) mod number;
 pub(crate) mod schema;
 
-use crate::error::LabError;
-use schema::ScenarioFile;
+use crate::error::{Fault, LabError};
+use schema::{PositionTable, ScenarioFile};
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -36,6 +36,9 @@ pub const BUILT_IN: [BuiltIn; 3] = [
 
 /// The commented template that `slideway init` writes.
 pub const TEMPLATE: &str = include_str!("../../scenarios/template.toml");
+
+/// Grid points that make sense: below, nothing is resolved; above, the solver needs minutes.
+const GRID_POINTS: std::ops::RangeInclusive<usize> = 10..=100_000;
 
 impl Scenario {
     /// A built-in scenario, if there is one of that name.
@@ -94,6 +97,32 @@ impl Scenario {
         &self.text
     }
 
+    /// Checks what concerns the comparison rather than the problem.
+    pub(crate) fn check_options(&self) -> Result<(), LabError> {
+        let points = self.grid_points();
+        if !(GRID_POINTS.contains(&points)) {
+            let fault = Fault::OutOfRange {
+                value: points as f64,
+                least: *GRID_POINTS.start() as f64,
+                most: *GRID_POINTS.end() as f64,
+            };
+            return Err(LabError::value("optimum.grid_points", fault));
+        }
+        if !(self.tolerance() > 0.0) {
+            return Err(LabError::value("compare.tolerance", Fault::NotPositive(self.tolerance())));
+        }
+        Ok(())
+    }
+
+    /// The key of the path's first point, for errors about it.
+    pub(crate) fn path_start_key(&self) -> &'static str {
+        match self.file.path.position {
+            PositionTable::Helix { .. } => "path.position.helix.start",
+            PositionTable::Line { .. } => "path.position.line.from",
+            PositionTable::Formula { .. } => "path.position.formula",
+        }
+    }
+
     /// Default tolerance of the verdict, as a fraction.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
@@ -113,7 +142,8 @@ pub fn locate(text: &str, error: &LabError) -> Option<Range<usize>> {
     match error {
         LabError::Syntax { span, .. } => span.clone(),
         LabError::Value { key, .. } => locate_key(text, key),
-        LabError::BrokenPath { .. } | LabError::LeavesReach { .. } => locate_key(text, "path"),
+        LabError::LeavesReach { .. } => locate_key(text, "path.end"),
+        LabError::BrokenPath { .. } => locate_key(text, "path.position"),
         LabError::Read { .. } => None,
     }
 }
