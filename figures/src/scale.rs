@@ -45,7 +45,8 @@ impl Axis {
         let lowest = end - f64::from(decades);
         let start = if range.start > 0.0 { range.start.log10().floor().max(lowest) } else { lowest };
         let range = drawable(start.min(end - 1.0)..end);
-        let ticks = multiples(1.0, &range);
+        // Four labels fit; the ticks stay whole decades.
+        let ticks = multiples(((range.end - range.start) / 4.0).ceil(), &range);
         Self {
             label: label.to_owned(),
             spacing: Spacing::Logarithmic,
