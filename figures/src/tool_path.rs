@@ -169,7 +169,7 @@ impl Figure for ToolPath<'_> {
     fn caption(&self) -> String {
         format!(
             "{}: desired tool path (broad line) and the paths followed, in space and in three projections, each with \
-             one scale in all directions. The distance from the path is the largest in the second half of each run.{}",
+             one scale in all directions. The distance from the path is the largest in the second half of each run, at 500 or more of its samples (all, if fewer).{}",
             self.checked.study.title,
             self.checked.remark()
         )
