@@ -1,4 +1,5 @@
 use crate::error::FigureError;
+use crate::polyline::without_reversals;
 use crate::style::{FAMILY, HEADING_SIZE, INK, Stroke, TEXT_SIZE, WIDTH, line};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -69,11 +70,13 @@ impl<DB: DrawingBackend> Canvas<DB> {
 
     /// Draws a polyline given in pixels of this part.
     pub(crate) fn polyline(&self, points: &[(f64, f64)], stroke: &Stroke) -> Drawn<DB> {
-        let rounded = points.iter().map(|p| (p.0.round() as i32, p.1.round() as i32)).collect::<Vec<_>>();
-        if rounded.len() < 2 {
-            return Ok(());
+        let mut rounded: Vec<_> = points.iter().map(|p| (p.0.round(), p.1.round())).collect();
+        rounded.dedup();
+        for piece in without_reversals(&rounded).into_iter().filter(|piece| piece.len() > 1) {
+            let pixels: Vec<_> = piece.iter().map(|p| (p.0 as i32, p.1 as i32)).collect();
+            self.area.draw(&PathElement::new(pixels, line(stroke.color, stroke.width * self.scale)))?;
         }
-        self.area.draw(&PathElement::new(rounded, line(stroke.color, stroke.width * self.scale)))
+        Ok(())
     }
 }
 

@@ -1,30 +1,27 @@
 //! Chattering of the regulated methods: the change of the desired joint speed in each sample against its rigorous bound and
 //! the estimate of `[G11] eq 23`, and the use of the limits against the proven band.
 
-use crate::canvas::{Canvas, Drawn, Entry, Header};
-use crate::facts::{header, limit_entry};
-use crate::panel::{Frame, Panel};
+use crate::canvas::{Canvas, Drawn, Header};
+use crate::facts::{entry, header, limit_entry};
 use crate::render::Figure;
-use crate::scale::{Axis, span};
+use crate::scale::{Axis, largest, significant, span};
+use crate::stack::{self, Layer};
 use crate::study::{Checked, Run};
-use crate::style::{GRID, INK, LIMIT, REFERENCE, Stroke, label, stroke};
+use crate::style::{INK, LIMIT, REFERENCE, Stroke, label, stroke};
 use plotters::backend::DrawingBackend;
-use slideway_lab::Chatter;
+use slideway_lab::{Chatter, Sample};
 
 pub(crate) struct Chattering<'a> {
     checked: &'a Checked<'a>,
     runs: Vec<&'a Run<'a>>,
 }
 
-const PANEL: f64 = 230.0;
-const LABELS: f64 = 84.0;
-const BARE: f64 = 14.0;
-const LEFT: f64 = 132.0;
+const PANEL: f64 = 245.0;
 /// Curves show the largest value in each of so many parts of the time axis.
 const WINDOWS: f64 = 300.0;
 
-/// Decades of the axis: what is smaller than a millionth of the largest change is rest.
-const DECADES: u32 = 5;
+/// Decades of the axis: what is smaller than a ten-millionth of the largest is rest.
+const DECADES: u32 = 7;
 
 const BOUND: Stroke = Stroke { color: INK, width: 3.0, dashes: &[] };
 const ESTIMATE: Stroke = Stroke { width: 9.0, ..REFERENCE };
@@ -41,34 +38,40 @@ impl<'a> Chattering<'a> {
         self.runs.iter().flat_map(|run| run.moving()).filter_map(|s| s.chatter.as_ref()).map(value)
     }
 
-    fn changes<DB: DrawingBackend>(&self, canvas: &Canvas<DB>, run: &Run) -> Drawn<DB> {
+    fn changes(&self, run: &Run) -> Layer {
         let all = self.values(|c| c.measured).chain(self.values(|c| c.bound)).chain(self.values(|c| c.estimate));
-        let y = Axis::logarithmic("share of limit", span(all.filter(|v| *v > 0.0)), DECADES);
-        let frame = Frame { title: label(run.method), left: LEFT, bottom: BARE };
-        let panel = Panel::new(canvas, &frame, self.time(""), y)?;
-        panel.curve(&self.peaks(run, |c| c.estimate), &ESTIMATE)?;
-        panel.curve(&self.peaks(run, |c| c.bound), &BOUND)?;
-        panel.curve(&self.peaks(run, |c| c.measured), &Stroke { width: 3.5, dashes: &[], ..stroke(run.method) })
+        Layer {
+            title: format!("{}: change of desired speed per sample", label(run.method)),
+            y: Axis::logarithmic("of limit", span(all.filter(|v| *v > 0.0)), DECADES),
+            levels: Vec::new(),
+            curves: vec![
+                (self.peaks(run, |c| c.estimate), ESTIMATE),
+                (self.peaks(run, |c| c.bound), BOUND),
+                (self.peaks(run, |c| c.measured), Stroke { width: 3.5, dashes: &[], ..stroke(run.method) }),
+            ],
+        }
     }
 
-    fn ratios<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
+    /// Use of the limits near and above 1: what lies far below is not chattering.
+    fn limit_use(&self) -> Layer {
         let used = span(self.runs.iter().flat_map(|run| run.moving()).map(|s| s.limit_ratio));
-        let most = used.end.max(self.checked.study.bound.unwrap_or(1.0)).max(1.0);
-        // What lies far below the limit is not chattering.
-        let least = used.start.max(1.0 - 4.0 * (most - 1.0).max(0.005));
-        let room = 0.1 * (most - least);
-        let y = Axis::linear("limit use", least.min(1.0) - room..most + room, 3);
-        let frame = Frame { title: "largest use of a joint-speed limit", left: LEFT, bottom: LABELS };
-        let panel = Panel::new(canvas, &frame, self.time("time (s)"), y)?;
-        panel.level(1.0, &Stroke { color: GRID, width: 6.0, dashes: &[] })?;
-        if let Some(bound) = self.checked.study.bound {
-            panel.level(bound, &LIMIT)?;
+        let most = used.end.max(self.checked.study.bound.unwrap_or(1.0)).max(1.005);
+        let room = 0.2 * (most - 1.0);
+        let y = if most < 3.0 {
+            Axis::linear("of limit", 1.0 - 3.0 * room..most + room, 3)
+        } else {
+            Axis::logarithmic("of limit", 0.5..most, DECADES)
+        };
+        let solid = |run: &Run| Stroke { dashes: &[], ..stroke(run.method) };
+        let peaks = |run: &&Run| (self.windowed(run, |s| Some(s.limit_ratio)), solid(run));
+        let mut levels = vec![(1.0, Stroke { width: 9.0, ..REFERENCE })];
+        levels.extend(self.checked.study.bound.map(|bound| (bound, LIMIT)));
+        Layer {
+            title: "‖F dq/dt‖∞: use of the speed limits".to_owned(),
+            y,
+            levels,
+            curves: self.runs.iter().map(peaks).collect(),
         }
-        for run in &self.runs {
-            let points: Vec<_> = run.moving().iter().map(|s| (s.t, s.limit_ratio)).collect();
-            panel.curve(&points, &stroke(run.method))?;
-        }
-        Ok(())
     }
 
     fn time(&self, label: &str) -> Axis {
@@ -76,11 +79,15 @@ impl<'a> Chattering<'a> {
         Axis::linear(label, span(moving), 7)
     }
 
-    /// Largest values in short windows: single samples cannot be told apart on paper, their peaks matter.
     fn peaks(&self, run: &Run, value: fn(&Chatter) -> f64) -> Vec<(f64, f64)> {
+        self.windowed(run, |s| s.chatter.as_ref().map(value))
+    }
+
+    /// Largest values in short windows: single samples cannot be told apart on paper, their peaks matter.
+    fn windowed(&self, run: &Run, value: impl Fn(&Sample) -> Option<f64>) -> Vec<(f64, f64)> {
         let range = self.time("").range();
         let window = |t: f64| ((t - range.start) / (range.end - range.start) * WINDOWS).floor();
-        let samples: Vec<_> = run.moving().iter().filter_map(|s| Some((s.t, value(s.chatter.as_ref()?)))).collect();
+        let samples: Vec<_> = run.moving().iter().filter_map(|s| Some((s.t, value(s)?))).collect();
         let peak = |part: &[(f64, f64)]| (part[0].0, part.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max));
         samples.chunk_by(|a, b| window(a.0) == window(b.0)).map(peak).collect()
     }
@@ -94,7 +101,7 @@ impl<'a> Chattering<'a> {
     /// Whether some measured change exceeds the estimate.
     fn exceeds_estimate(&self) -> bool {
         let chatter = self.runs.iter().flat_map(|run| run.moving()).filter_map(|s| s.chatter.as_ref());
-        chatter.into_iter().any(|c| c.measured > c.estimate + 1e-9)
+        chatter.into_iter().any(|c| !(c.measured <= c.estimate + 1e-9))
     }
 }
 
@@ -114,12 +121,21 @@ impl Figure for Chattering<'_> {
     }
 
     fn header(&self) -> Header {
-        let bound = if self.keeps_bound() { "keeps its bound" } else { "breaks its bound" };
-        let estimate = if self.exceeds_estimate() { "exceeds" } else { "stays below" };
-        let message = format!("Change of speed per sample: {bound} everywhere, {estimate} the paper's estimate.");
-        let mut header = header(self.checked, message, None, self.runs.iter().copied());
-        header.legend.push(Entry { label: "bound".to_owned(), stroke: BOUND });
-        header.legend.push(Entry { label: "estimate".to_owned(), stroke: ESTIMATE });
+        let bound = if self.keeps_bound() { "keeps its bound everywhere" } else { "breaks its bound" };
+        let estimate = if self.exceeds_estimate() {
+            "exceeds the paper's estimate in places"
+        } else {
+            "stays below the paper's estimate"
+        };
+        let meaning = format!("largest change, in limits; it {bound} and {estimate}");
+        let largest_change = |run: &Run| {
+            let changes = run.moving().iter().filter_map(|s| s.chatter.as_ref()).map(|c| c.measured);
+            Some(significant(largest(changes), 2))
+        };
+        let mut header = header(self.checked, "Chattering", &meaning, self.runs.iter().copied(), largest_change);
+        header.legend.iter_mut().for_each(|entry| entry.stroke.dashes = &[]);
+        header.legend.push(entry("bound", BOUND));
+        header.legend.push(entry("estimate, or 1", ESTIMATE));
         if self.checked.study.bound.is_some() {
             header.legend.push(limit_entry("band M"));
         }
@@ -127,16 +143,12 @@ impl Figure for Chattering<'_> {
     }
 
     fn body_height(&self) -> f64 {
-        self.runs.len() as f64 * (PANEL + BARE) + PANEL + LABELS
+        stack::height(self.runs.len() + 1, PANEL)
     }
 
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
-        let mut rest = Canvas { area: canvas.area.clone(), scale: canvas.scale };
-        for run in &self.runs {
-            let (above, below) = rest.split_at_height(PANEL + BARE);
-            self.changes(&above, run)?;
-            rest = below;
-        }
-        self.ratios(&rest)
+        let mut layers: Vec<Layer> = self.runs.iter().map(|run| self.changes(run)).collect();
+        layers.push(self.limit_use());
+        stack::draw(canvas, &self.time("time (s)"), layers, PANEL)
     }
 }

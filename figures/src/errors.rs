@@ -1,7 +1,7 @@
 //! The six coordinates of the pose error (the quantities of `[G11]` Fig. 3 and Fig. 7).
 
 use crate::canvas::{Canvas, Drawn, Header};
-use crate::facts::{header, per_run};
+use crate::facts::header;
 use crate::multiples::{self, Multiple};
 use crate::render::Figure;
 use crate::scale::{significant, span};
@@ -72,13 +72,13 @@ impl Figure for Errors<'_> {
             "{}: pose error p_ref − p, position left and Euler angles right, one scale for each column. The root mean \
              square of the position error runs up to the reference's end.{}",
             self.checked.study.title,
-            self.checked.remark()
+            self.checked.time_remark()
         )
     }
 
     fn header(&self) -> Header {
-        let rms = per_run(&self.checked.runs, |run| Some(format!("{} mm", significant(1e3 * rms_position(run), 2))));
-        header(self.checked, format!("RMS position error: {rms}."), None, &self.checked.runs)
+        let rms = |run: &Run| Some(format!("{} mm", significant(1e3 * rms_position(run), 2)));
+        header(self.checked, "Pose error", "RMS position error", &self.checked.runs, rms)
     }
 
     fn body_height(&self) -> f64 {

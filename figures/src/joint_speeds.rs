@@ -1,7 +1,7 @@
 //! Commanded joint speeds with their limits (the quantities of `[G11]` Fig. 4 and Fig. 8).
 
 use crate::canvas::{Canvas, Drawn, Header};
-use crate::facts::{header, limit_entry, per_run};
+use crate::facts::{header, limit_entry};
 use crate::multiples::{self, Multiple};
 use crate::render::Figure;
 use crate::scale::{largest, significant};
@@ -32,7 +32,8 @@ impl<'a> JointSpeeds<'a> {
                 let speed = largest(run.samples.iter().map(|s| s.commanded[joint].abs()));
                 let is_worse = worst.as_ref().is_none_or(|(most, _)| speed > *most);
                 if speed > 1.001 * panel.range.end.max(-panel.range.start) && is_worse {
-                    let text = format!("{} joint {}: {} rad/s", label(run.method), joint + 1, significant(speed, 2));
+                    let text =
+                        format!("{} joint {}, up to {} rad/s", label(run.method), joint + 1, significant(speed, 2));
                     worst = Some((speed, text));
                 }
             }
@@ -73,23 +74,21 @@ impl Figure for JointSpeeds<'_> {
     const NAME: &'static str = "joint-speeds";
 
     fn caption(&self) -> String {
-        let cut = self.cut_off().map(|worst| format!(" Curves beyond the axes are cut off (largest: {worst})."));
+        let cut = self.cut_off().map(|worst| format!(" Curves beyond the axes are cut off ({worst})."));
         format!(
             "{}: commanded joint speeds with their limits.{}{}",
             self.checked.study.title,
             cut.unwrap_or_default(),
-            self.checked.remark()
+            self.checked.time_remark()
         )
     }
 
     fn header(&self) -> Header {
-        let shares = per_run(&self.checked.runs, |run| self.at_limit(run));
-        let mut message =
-            if shares.is_empty() { String::new() } else { format!("A joint is at its limit: {shares} of the time.") };
+        let meaning = "share of the moving time with a joint at its limit";
+        let mut header = header(self.checked, "Joint speeds", meaning, &self.checked.runs, |run| self.at_limit(run));
         if let Some(worst) = self.cut_off() {
-            message.push_str(&format!(" Cut off: {worst}."));
+            header.message.push_str(&format!(" Cut off: {worst}."));
         }
-        let mut header = header(self.checked, message, None, &self.checked.runs);
         header.legend.push(limit_entry("limits"));
         header
     }

@@ -17,10 +17,10 @@ mod joint_speeds;
 mod multiples;
 mod panel;
 mod path_rate;
-mod path_rate_time;
 mod polyline;
 mod render;
 mod scale;
+mod stack;
 mod study;
 mod style;
 mod tool_path;
@@ -49,7 +49,7 @@ pub fn draw_speed_study(study: &SpeedStudy, dir: &Path) -> Result<Vec<Rendered>,
     std::fs::create_dir_all(dir).map_err(|source| FigureError::Write { path: dir.to_owned(), source })?;
     let mut rendered = vec![
         render(&path_rate::PathRate(&checked), dir)?,
-        render(&path_rate_time::PathRateOverTime(&checked), dir)?,
+        render(&path_rate::PathRateOverTime(&checked), dir)?,
         render(&joint_speeds::JointSpeeds::new(&checked), dir)?,
         render(&errors::Errors::new(&checked), dir)?,
         render(&tool_path::ToolPath::new(&checked), dir)?,

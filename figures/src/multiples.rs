@@ -1,10 +1,10 @@
-//! Small multiples: panels of equal size in two columns, with axis labels only at the outer edges.
+//! Small multiples: panels of equal size in two columns, with time labels only at the lower edge.
 
 use crate::canvas::{Canvas, Drawn};
 use crate::panel::{Frame, Panel};
 use crate::scale::Axis;
-use crate::study::{Checked, Run};
-use crate::style::{LIMIT, stroke};
+use crate::study::Checked;
+use crate::style::{LIMIT, Stroke, stroke};
 use plotters::backend::DrawingBackend;
 use slideway_lab::Sample;
 use std::ops::Range;
@@ -19,53 +19,40 @@ pub(crate) struct Multiple {
     pub(crate) value: Box<dyn Fn(&Sample) -> f64>,
 }
 
-const PANEL: f64 = 190.0;
-const TIME_LABELS: f64 = 84.0;
-const TICKS_ONLY: f64 = 14.0;
-const LEFT: f64 = 132.0;
-
-fn rows(panels: usize) -> usize {
-    panels.div_ceil(2)
-}
+/// Height of a panel without time labels, design units.
+const PANEL: f64 = 226.0;
 
 /// Height of so many panels, design units.
 pub(crate) fn height(panels: usize) -> f64 {
-    rows(panels) as f64 * (PANEL + TICKS_ONLY) + TIME_LABELS - TICKS_ONLY
+    panels.div_ceil(2) as f64 * PANEL + Frame::LABELLED.bottom - Frame::TICKS
 }
 
 /// Draws panels row by row.
 pub(crate) fn draw<DB: DrawingBackend>(checked: &Checked, canvas: &Canvas<DB>, panels: &[Multiple]) -> Drawn<DB> {
-    let mut rest = Canvas { area: canvas.area.clone(), scale: canvas.scale };
-    for (row, pair) in panels.chunks(2).enumerate() {
-        let is_last = row + 1 == rows(panels.len());
-        // Above an empty place the panel carries the time labels itself: there is room below the last row only.
-        let bottom = if is_last { TIME_LABELS } else { TICKS_ONLY };
-        let (above, below) = rest.split_at_height(PANEL + bottom);
-        let (left, right) = above.split_at_width(above.size().0 / 2.0);
-        for (place, panel) in [left, right].iter().zip(pair) {
-            draw_panel(checked, place, panel, bottom)?;
-        }
-        rest = below;
+    let half = canvas.size().0 / 2.0;
+    for (i, panel) in panels.iter().enumerate() {
+        // The lowest panel of each column carries the time labels.
+        let bottom = if i + 2 < panels.len() { Frame::TICKS } else { Frame::LABELLED.bottom };
+        let (_, from_here) = canvas.split_at_height(PANEL * (i / 2) as f64);
+        let (row, _) = from_here.split_at_height(PANEL - Frame::TICKS + bottom);
+        let (left, right) = row.split_at_width(half);
+        draw_panel(checked, if i.is_multiple_of(2) { &left } else { &right }, panel, bottom)?;
     }
     Ok(())
 }
 
 fn draw_panel<DB: DrawingBackend>(checked: &Checked, place: &Canvas<DB>, panel: &Multiple, bottom: f64) -> Drawn<DB> {
-    let time = if bottom > TICKS_ONLY { "time (s)" } else { "" };
-    let x = Axis::linear(time, 0.0..checked.end(), 4);
-    let y = Axis::linear(&panel.label, panel.range.clone(), 3);
-    let axes = Panel::new(place, &Frame { title: &panel.title, left: LEFT, bottom }, x, y)?;
+    let time = Axis::linear("time (s)", 0.0..checked.end(), 4);
+    let x = if bottom > Frame::TICKS { time } else { time.unlabelled() };
+    let y = Axis::linear(&panel.label, panel.range.clone(), 4);
+    let axes = Panel::new(place, &Frame { title: &panel.title, bottom, ..Frame::LABELLED }, x, y)?;
     for &level in &panel.levels {
         axes.level(level, &LIMIT)?;
     }
     for run in &checked.runs {
-        axes.curve(&run.against_time(&panel.value), &thinner(run))?;
+        let full = stroke(run.method);
+        // Small panels want thinner lines.
+        axes.curve(&run.against_time(&panel.value), &Stroke { width: 0.75 * full.width, ..full })?;
     }
     Ok(())
-}
-
-/// Small panels want thinner lines.
-fn thinner(run: &Run) -> crate::style::Stroke {
-    let full = stroke(run.method);
-    crate::style::Stroke { width: 0.75 * full.width, ..full }
 }

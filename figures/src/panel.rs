@@ -27,15 +27,22 @@ pub(crate) struct Frame<'a> {
 
 impl Frame<'_> {
     /// Room for tick labels and an axis label on both sides.
-    pub(crate) const LABELLED: Frame<'static> = Frame { title: "", left: 132.0, bottom: 84.0 };
+    pub(crate) const LABELLED: Frame<'static> = Frame { title: "", left: 126.0, bottom: 84.0 };
+    /// Room below the axes of a panel that stands above another one: its ticks.
+    pub(crate) const TICKS: f64 = 10.0;
     /// Free room above the plot and below its title, design units: half a tick label.
     pub(crate) const ABOVE: f64 = 16.0;
+    /// Free room left of the vertical axis' label, design units.
+    pub(crate) const EDGE: f64 = 10.0;
     /// Free room right of the plot, design units: half a tick label.
     pub(crate) const RIGHT: f64 = 26.0;
 }
 
+/// Width of the columns into which long curves are gathered, design units: less than that of any line.
+const COLUMN: f64 = 2.0;
+
 /// Height of a title, design units.
-const TITLE: f64 = 30.0;
+const TITLE: f64 = 34.0;
 
 impl<DB: DrawingBackend> Panel<DB> {
     /// Draws the axes.
@@ -43,6 +50,7 @@ impl<DB: DrawingBackend> Panel<DB> {
         let title = if frame.title.is_empty() { 0.0 } else { TITLE };
         let mut chart = ChartBuilder::on(&canvas.area)
             .margin_top(canvas.px(Frame::ABOVE + title))
+            .margin_left(canvas.px(Frame::EDGE))
             .margin_right(canvas.px(Frame::RIGHT))
             .set_label_area_size(LabelAreaPosition::Left, canvas.px(frame.left))
             .set_label_area_size(LabelAreaPosition::Bottom, canvas.px(frame.bottom))
@@ -59,14 +67,14 @@ impl<DB: DrawingBackend> Panel<DB> {
             .x_desc(x.label.as_str())
             .y_desc(y.label.as_str())
             .draw()?;
-        canvas.text(frame.title, TEXT_SIZE, (frame.left, 2.0), Anchor::UpperLeft)?;
+        canvas.text(frame.title, TEXT_SIZE, (Frame::EDGE + frame.left, 10.0), Anchor::UpperLeft)?;
         let plot = Canvas { area: chart.plotting_area().strip_coord_spec(), scale: canvas.scale };
         Ok(Self { plot, x, y })
     }
 
     /// Draws a curve whose horizontal coordinate is in order, cut to the axes.
     pub(crate) fn curve(&self, points: &[Point], stroke: &Stroke) -> Drawn<DB> {
-        self.draw(&gather(&self.pixels(points)), stroke)
+        self.draw(&gather(&self.pixels(points), COLUMN * self.plot.scale), stroke)
     }
 
     /// Draws a curve of any shape, cut to the axes.

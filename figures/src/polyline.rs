@@ -3,14 +3,11 @@
 /// A point of a drawing, px.
 pub(crate) type Point = (f64, f64);
 
-/// Two pixels: the width of the columns into which long curves are gathered.
-const COLUMN: f64 = 2.0;
-
-/// Keeps first, lowest, highest and last point of each column of a curve with `x` in order.
+/// Keeps first, lowest, highest and last point of each column, `width` wide, of a curve with `x` in order.
 ///
 /// Nothing visible is lost: a curve that oscillates inside a column still covers the same pixels.
-pub(crate) fn gather(points: &[Point]) -> Vec<Point> {
-    let column = |p: &Point| (p.0 / COLUMN).floor();
+pub(crate) fn gather(points: &[Point], width: f64) -> Vec<Point> {
+    let column = |p: &Point| (p.0 / width).floor();
     // NaN equals nothing, so a gap stays a column of its own.
     points.chunk_by(|a, b| column(a) == column(b) && !a.1.is_nan() && !b.1.is_nan()).flat_map(extremes).collect()
 }
@@ -97,11 +94,12 @@ fn length(points: &[Point]) -> f64 {
 
 /// Cuts a curve into dashes: `pattern` holds lengths drawn and left out in turn, empty for an unbroken line.
 ///
-/// A curve longer than `longest` (one that oscillates) has its pattern stretched, so the number of dashes stays bounded.
+/// A curve longer than `longest` oscillates: dashes would look like gaps in it, so it stays whole.
 pub(crate) fn dash(points: &[Point], pattern: &[f64], longest: f64) -> Vec<Vec<Point>> {
-    let Some(&first) = points.first().filter(|_| !pattern.is_empty()) else { return vec![points.to_vec()] };
-    let stretch = (length(points) / longest).max(1.0);
-    let (mut phase, mut left) = (0, pattern[0] * stretch);
+    let Some(&first) = points.first().filter(|_| !pattern.is_empty() && length(points) <= longest) else {
+        return vec![points.to_vec()];
+    };
+    let (mut phase, mut left) = (0, pattern[0]);
     let mut dashes = vec![vec![first]];
     for pair in points.windows(2) {
         let (mut a, b) = (pair[0], pair[1]);
@@ -112,7 +110,7 @@ pub(crate) fn dash(points: &[Point], pattern: &[f64], longest: f64) -> Vec<Vec<P
             rest -= left;
             turn(&mut dashes, phase, a);
             phase = (phase + 1) % pattern.len();
-            left = pattern[phase] * stretch;
+            left = pattern[phase];
         }
         left -= rest;
         if let Some(dash) = dashes.last_mut().filter(|_| phase % 2 == 0) {
@@ -120,6 +118,25 @@ pub(crate) fn dash(points: &[Point], pattern: &[f64], longest: f64) -> Vec<Vec<P
         }
     }
     dashes
+}
+
+/// Cuts a curve where it turns by more than 100 degrees, so that its outline is well defined everywhere: a bitmap backend
+/// that joins the edges of thick lines would draw spikes there.
+pub(crate) fn without_reversals(points: &[Point]) -> Vec<&[Point]> {
+    let turns_back = |w: &[Point]| {
+        let ((ax, ay), (bx, by)) = ((w[1].0 - w[0].0, w[1].1 - w[0].1), (w[2].0 - w[1].0, w[2].1 - w[1].1));
+        ax * bx + ay * by < -0.17 * ax.hypot(ay) * bx.hypot(by)
+    };
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    for (i, corner) in points.windows(3).enumerate() {
+        if turns_back(corner) {
+            pieces.push(&points[start..i + 2]);
+            start = i + 1;
+        }
+    }
+    pieces.push(&points[start..]);
+    pieces
 }
 
 /// Ends the dash being drawn, or begins the next, at `p`.
@@ -137,9 +154,9 @@ mod tests {
     #[test]
     fn gathering_keeps_the_extremes_of_every_column() {
         let points: Vec<Point> = (0..1000).map(|i| (f64::from(i) * 0.01, f64::from(i * 7919 % 101))).collect();
-        let gathered = gather(&points);
+        let gathered = gather(&points, 2.0);
         for column in 0..5 {
-            let inside = |p: &&Point| (p.0 / COLUMN).floor() == f64::from(column);
+            let inside = |p: &&Point| (p.0 / 2.0).floor() == f64::from(column);
             let span = |list: &[Point]| {
                 let heights = || list.iter().filter(inside).map(|p| p.1);
                 (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
@@ -151,7 +168,7 @@ mod tests {
 
     #[test]
     fn gathering_keeps_gaps() {
-        let gathered = gather(&[(0.0, 1.0), (0.1, f64::NAN), (0.2, 2.0)]);
+        let gathered = gather(&[(0.0, 1.0), (0.1, f64::NAN), (0.2, 2.0)], 2.0);
         assert_eq!(gathered.len(), 3);
         assert!(gathered[1].1.is_nan());
     }
@@ -189,8 +206,15 @@ mod tests {
     }
 
     #[test]
-    fn an_oscillating_curve_gets_a_bounded_number_of_dashes() {
+    fn an_oscillating_curve_stays_whole() {
         let zigzag: Vec<Point> = (0..1000).map(|i| (f64::from(i), f64::from(i % 2) * 300.0)).collect();
-        assert!(dash(&zigzag, &[6.0, 4.0], 1e3).len() <= 101);
+        assert_eq!(dash(&zigzag, &[6.0, 4.0], 1e4), [zigzag]);
+    }
+
+    #[test]
+    fn pieces_turn_back_nowhere_and_cover_the_curve() {
+        let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (10.5, 0.0), (20.0, 0.0)];
+        let pieces = without_reversals(&points);
+        assert_eq!(pieces, [&points[..3], &points[2..]]);
     }
 }

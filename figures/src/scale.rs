@@ -19,6 +19,14 @@ pub(crate) struct Axis {
     range: Range<f64>,
     ticks: Vec<f64>,
     decimals: usize,
+    /// Whether ticks and axis are named.
+    naming: Naming,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Naming {
+    Shown,
+    Hidden,
 }
 
 impl Axis {
@@ -28,7 +36,7 @@ impl Axis {
         let step = round_step((range.end - range.start) / count.max(1) as f64);
         let ticks = multiples(step, &range);
         let decimals = if step >= 1.0 { 0 } else { (-step.log10().floor()).clamp(0.0, 9.0) as usize };
-        Self { label: label.to_owned(), spacing: Spacing::Linear, range, ticks, decimals }
+        Self { label: label.to_owned(), spacing: Spacing::Linear, range, ticks, decimals, naming: Naming::Shown }
     }
 
     /// A logarithmic axis over whole decades, at most `decades` of them below the upper end.
@@ -37,8 +45,21 @@ impl Axis {
         let lowest = end - f64::from(decades);
         let start = if range.start > 0.0 { range.start.log10().floor().max(lowest) } else { lowest };
         let range = drawable(start.min(end - 1.0)..end);
-        let ticks = multiples(1.0, &range);
-        Self { label: label.to_owned(), spacing: Spacing::Logarithmic, range, ticks, decimals: 0 }
+        // Four labels fit; the ticks stay whole decades.
+        let ticks = multiples(((range.end - range.start) / 4.0).ceil(), &range);
+        Self {
+            label: label.to_owned(),
+            spacing: Spacing::Logarithmic,
+            range,
+            ticks,
+            decimals: 0,
+            naming: Naming::Shown,
+        }
+    }
+
+    /// The same axis without names, for panels above another one.
+    pub(crate) fn unlabelled(&self) -> Self {
+        Self { label: String::new(), naming: Naming::Hidden, ..self.clone() }
     }
 
     /// Position of a value along the axis: 0 at its start, 1 at its end.
@@ -57,6 +78,7 @@ impl Axis {
 
     pub(crate) fn tick_label(&self, tick: f64) -> String {
         match self.spacing {
+            _ if self.naming == Naming::Hidden => String::new(),
             // Adding zero turns -0 into 0.
             Spacing::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "−"),
             Spacing::Logarithmic => format!("10{}", superscript(tick.round() as i64)),
@@ -103,11 +125,16 @@ fn drawable(range: Range<f64>) -> Range<f64> {
     }
 }
 
-/// The round number (1, 2 or 5 times a power of ten) next above `step`, or nearly at it.
+/// The round number (1, 2 or 5 times a power of ten) nearest to `step` on a logarithmic scale, roughly.
 fn round_step(step: f64) -> f64 {
     let power = 10f64.powf(step.log10().floor());
     let lead = step / power;
-    let round = [1.0, 2.0, 5.0].into_iter().find(|&r| lead <= r * 1.001).unwrap_or(10.0);
+    let round = match lead {
+        lead if lead < 1.5 => 1.0,
+        lead if lead < 3.2 => 2.0,
+        lead if lead < 7.2 => 5.0,
+        _ => 10.0,
+    };
     round * power
 }
 
@@ -156,7 +183,7 @@ mod tests {
     fn ticks_are_round_and_inside_the_range() {
         let axis = Axis::linear("x", -0.13..0.47, 5);
         let labels: Vec<String> = axis.ticks.iter().map(|t| axis.tick_label(*t)).collect();
-        assert_eq!(labels, ["0.0", "0.2", "0.4"]);
+        assert_eq!(labels, ["−0.1", "0.0", "0.1", "0.2", "0.3", "0.4"]);
     }
 
     #[test]

@@ -132,6 +132,17 @@ impl<'a> Checked<'a> {
         if finish > 0.0 { last.min(1.1 * finish) } else { last }
     }
 
+    /// Tells which runs outlast the time axis.
+    pub(crate) fn time_remark(&self) -> String {
+        let end = self.end();
+        let longer = self.runs.iter().filter(|run| run.samples.last().is_some_and(|s| s.t > end));
+        let names: Vec<&str> = longer.map(|run| label(run.method)).collect();
+        if names.is_empty() {
+            return self.remark();
+        }
+        format!(" The time axis ends at {end:.3} s; longer runs: {}.{}", names.join(", "), self.remark())
+    }
+
     /// Tells which curves end early because their trace stops being finite.
     pub(crate) fn remark(&self) -> String {
         let broken = self.runs.iter().filter(|run| run.samples.len() < run.trace.samples.len());

@@ -1,7 +1,7 @@
 //! Desired and followed tool paths in space and in three projections (the quantities of `[G11]` Fig. 6).
 
 use crate::canvas::{Anchor, Canvas, Drawn, Header};
-use crate::facts::{header, per_run};
+use crate::facts::{header, reference_entry};
 use crate::panel::{Frame, Panel};
 use crate::render::Figure;
 use crate::scale::{Axis, significant, span};
@@ -15,30 +15,26 @@ const CELL: f64 = 500.0;
 
 pub(crate) struct ToolPath<'a> {
     checked: &'a Checked<'a>,
-    /// A cube around everything drawn, m: all views have the same scale in all directions.
-    cube: [Range<f64>; 3],
+    /// A box around everything drawn, m.
+    space: [Range<f64>; 3],
 }
 
 impl<'a> ToolPath<'a> {
     pub(crate) fn new(checked: &'a Checked<'a>) -> Self {
-        Self { checked, cube: cube(checked) }
-    }
-
-    /// What is drawn: every run's tool, up to the figure's end.
-    fn tool(&self, run: &'a Run) -> &'a [[f64; 3]] {
-        let end = self.checked.end();
-        &run.tool[..run.samples.partition_point(|s| s.t <= end)]
+        Self { checked, space: space(checked) }
     }
 
     fn project<DB: DrawingBackend>(&self, canvas: &Canvas<DB>, [i, j]: [usize; 2]) -> Drawn<DB> {
-        let axis = |k: usize| Axis::linear(&format!("{} (m)", NAMES[k]), self.cube[k].clone(), 4);
+        // Both axes of a view have the same scale.
+        let edge = [i, j].map(|k| self.space[k].end - self.space[k].start).into_iter().fold(0.0, f64::max);
+        let axis = |k: usize| Axis::linear(&format!("{} (m)", NAMES[k]), around(&self.space[k], edge), 4);
         // The margins of `Panel` and these add up to the same on both sides: the plot is square.
-        let frame = Frame { title: "", left: 138.0, bottom: 84.0 };
+        let frame = Frame::LABELLED;
         let panel = Panel::new(&square(canvas, &frame), &frame, axis(i), axis(j))?;
         let flat = |points: &[[f64; 3]]| points.iter().map(|p| (p[i], p[j])).collect::<Vec<_>>();
         panel.path(&flat(self.checked.study.tool_path), &wide())?;
         for run in &self.checked.runs {
-            panel.path(&flat(self.tool(run)), &stroke(run.method))?;
+            panel.path(&flat(run.tool), &stroke(run.method))?;
         }
         Ok(())
     }
@@ -63,17 +59,17 @@ impl<'a> ToolPath<'a> {
             dashes.iter().try_for_each(|dash| canvas.polyline(dash, stroke))
         };
         draw(self.checked.study.tool_path, &wide())?;
-        self.checked.runs.iter().try_for_each(|run| draw(&self.inside(self.tool(run)), &stroke(run.method)))
+        self.checked.runs.iter().try_for_each(|run| draw(&self.inside(run.tool), &stroke(run.method)))
     }
 
-    /// The point of the cube at the given shares of its edges.
+    /// The point of the box at the given shares of its edges.
     fn corner(&self, share: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|k| self.cube[k].start + share[k] * (self.cube[k].end - self.cube[k].start))
+        std::array::from_fn(|k| self.space[k].start + share[k] * (self.space[k].end - self.space[k].start))
     }
 
-    /// The points moved to the cube's surface where they leave it.
+    /// The points moved to the box's surface where they leave it.
     fn inside(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let clamp = |p: &[f64; 3]| std::array::from_fn(|k| p[k].clamp(self.cube[k].start, self.cube[k].end));
+        let clamp = |p: &[f64; 3]| std::array::from_fn(|k| p[k].clamp(self.space[k].start, self.space[k].end));
         points.iter().map(clamp).collect()
     }
 
@@ -81,18 +77,15 @@ impl<'a> ToolPath<'a> {
     fn spatial<DB: DrawingBackend>(&self, canvas: &Canvas<DB>, points: &[[f64; 3]]) -> Vec<(f64, f64)> {
         // Seen from azimuth −60° and elevation 25°, as mathematical software does by default.
         let ((sa, ca), (se, ce)) = ((-60f64).to_radians().sin_cos(), 25f64.to_radians().sin_cos());
+        let flat = |p: &[f64; 3]| (-sa * p[0] + ca * p[1], -se * (ca * p[0] + sa * p[1]) + ce * p[2]);
+        let corners: Vec<_> = edges().iter().flatten().map(|&c| flat(&self.corner(c))).collect();
+        let (across, up) = (span(corners.iter().map(|c| c.0)), span(corners.iter().map(|c| c.1)));
         let (width, height) = canvas.size();
-        // The cube's projection is 1.37 edges wide and 1.49 high.
-        let edge = canvas.scale * (width / 1.5).min(height / 1.6);
-        let centre = (0.5 * width * canvas.scale, 0.5 * height * canvas.scale);
-        let place = |p: &[f64; 3]| {
-            let r: [f64; 3] =
-                std::array::from_fn(|k| (p[k] - self.cube[k].start) / (self.cube[k].end - self.cube[k].start) - 0.5);
-            let across = -sa * r[0] + ca * r[1];
-            let up = -se * (ca * r[0] + sa * r[1]) + ce * r[2];
-            (centre.0 + edge * across, centre.1 - edge * up)
-        };
-        points.iter().map(place).collect()
+        // Room for the names of the axes.
+        let scale = ((width - 90.0) / (across.end - across.start)).min((height - 60.0) / (up.end - up.start));
+        let (x0, y0) = (0.5 * (across.start + across.end), 0.5 * (up.start + up.end));
+        let place = |(x, y): (f64, f64)| (0.5 * width + scale * (x - x0), 0.5 * height - scale * (y - y0));
+        points.iter().map(|p| place(flat(p))).map(|(x, y)| (canvas.scale * x, canvas.scale * y)).collect()
     }
 
     /// Largest distance from the desired path in the second half of the run up to the reference's end, m.
@@ -109,7 +102,7 @@ fn wide() -> Stroke {
     Stroke { width: 12.0, ..REFERENCE }
 }
 
-/// The edges of the cube that are behind the curves, as shares.
+/// The edges of the box that are behind the curves, as shares.
 fn edges() -> [[[f64; 3]; 2]; 9] {
     let (o, i) = (0.0, 1.0);
     [
@@ -128,10 +121,16 @@ fn edges() -> [[[f64; 3]; 2]; 9] {
 /// The part of a canvas in which a framed plot is square.
 fn square<DB: DrawingBackend>(canvas: &Canvas<DB>, frame: &Frame) -> Canvas<DB> {
     let (width, height) = canvas.size();
-    let side = (width - frame.left - Frame::RIGHT).min(height - frame.bottom - Frame::ABOVE);
-    let (kept, _) = canvas.split_at_width(side + frame.left + Frame::RIGHT);
+    let side = (width - Frame::EDGE - frame.left - Frame::RIGHT).min(height - frame.bottom - Frame::ABOVE);
+    let (kept, _) = canvas.split_at_width(side + Frame::EDGE + frame.left + Frame::RIGHT);
     let (kept, _) = kept.split_at_height(side + frame.bottom + Frame::ABOVE);
     kept
+}
+
+/// A range of the given length with the same middle.
+fn around(range: &Range<f64>, length: f64) -> Range<f64> {
+    let middle = 0.5 * (range.start + range.end);
+    middle - 0.5 * length..middle + 0.5 * length
 }
 
 /// Distance from a polyline, m.
@@ -148,13 +147,9 @@ fn distance(p: &[f64; 3], path: &[[f64; 3]]) -> f64 {
     path.windows(2).map(to_segment).fold(f64::INFINITY, f64::min)
 }
 
-/// A cube around the desired path and the tools, these no farther out than the desired path is long.
-fn cube(checked: &Checked) -> [Range<f64>; 3] {
-    let end = checked.end();
-    let tools = || {
-        let visible = |run: &Run<'_>| run.samples.partition_point(|s| s.t <= end);
-        checked.runs.iter().flat_map(move |run| run.tool[..visible(run)].iter())
-    };
+/// A box around the desired path and the tools, these no farther out than the desired path is long.
+fn space(checked: &Checked) -> [Range<f64>; 3] {
+    let tools = || checked.runs.iter().flat_map(|run| run.tool);
     let path = checked.study.tool_path;
     let spans: [Range<f64>; 3] = std::array::from_fn(|k| {
         let wanted = span(path.iter().map(|p| p[k]));
@@ -163,8 +158,9 @@ fn cube(checked: &Checked) -> [Range<f64>; 3] {
         let has_path = wanted.start.is_finite() && longest > 0.0;
         if has_path { all.start.max(wanted.start - longest)..all.end.min(wanted.end + longest) } else { all }
     });
-    let edge = 1.1 * spans.iter().map(|s| s.end - s.start).fold(1e-6, f64::max);
-    spans.map(|s| 0.5 * (s.start + s.end - edge)..0.5 * (s.start + s.end + edge))
+    // A straight path has no extent across: a fifth of the longest edge keeps the box a box.
+    let longest = spans.iter().map(|s| s.end - s.start).fold(1e-6, f64::max);
+    spans.map(|s| around(&s, (1.1 * (s.end - s.start)).max(0.2 * longest)))
 }
 
 impl Figure for ToolPath<'_> {
@@ -172,18 +168,19 @@ impl Figure for ToolPath<'_> {
 
     fn caption(&self) -> String {
         format!(
-            "{}: desired tool path (broad line) and the paths followed, in space and in three projections, all to one \
-             scale. The distance from the path is the largest in the second half of each run.{}",
+            "{}: desired tool path (broad line) and the paths followed, in space and in three projections, each with \
+             one scale in all directions. The distance from the path is the largest in the second half of each run, at 500 or more of its samples (all, if fewer).{}",
             self.checked.study.title,
             self.checked.remark()
         )
     }
 
     fn header(&self) -> Header {
-        let millimetres = |run: &Run| self.off_path(run).map(|d| format!("{} mm", significant(1e3 * d, 2)));
-        let list = per_run(&self.checked.runs, millimetres);
-        let message = if list.is_empty() { String::new() } else { format!("Off the path in the second half: {list}.") };
-        header(self.checked, message, Some("desired"), &self.checked.runs)
+        let off = |run: &Run| self.off_path(run).map(|d| format!("{} mm", significant(1e3 * d, 2)));
+        let meaning = "largest distance from the path in the second half";
+        let mut header = header(self.checked, "Tool path", meaning, &self.checked.runs, off);
+        header.legend.insert(0, reference_entry("desired"));
+        header
     }
 
     fn body_height(&self) -> f64 {
