@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             speed_lower: &sampled.speed_lower,
             speed_upper: &sampled.speed_upper,
             optimum: Some(&Optimum::under_speed_limits(&sampled)),
-            filter_step: 5e-3,
+            filter_step: experiment.control().filter_step(),
             bound: None,
         };
         for figure in draw_speed_study(&study, &out.join(built_in.name))? {

@@ -16,11 +16,11 @@ const BETWEEN: usize = 7;
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
     let scenario = load(&arguments.scenario)?;
-    let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
-    if !(tolerance >= 0.0 && tolerance.is_finite()) {
+    if let Some(value) = arguments.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
         let remedy = "give a fraction of the optimum, for example 0.02";
-        return Err(CliError::Option { option: "tolerance", value: tolerance, remedy });
+        return Err(CliError::Option { option: "tolerance", value, remedy });
     }
+    let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
     let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(scenario.name()));
     let progress = progress();

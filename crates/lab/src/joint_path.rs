@@ -323,7 +323,12 @@ fn self_motion<const N: usize>(
             best = Some(next);
         }
     }
-    best.ok_or(LabError::BrokenPath { at, jump })
+    // No configuration at all beyond the break: the arm is stretched out, not in the way of itself.
+    best.ok_or(if jump.is_finite() {
+        LabError::BrokenPath { at, jump }
+    } else {
+        LabError::LeavesReach { at, source: failure }
+    })
 }
 
 /// Whether the tool keeps its place while the joints go straight from one configuration to the other: within 10 µm and

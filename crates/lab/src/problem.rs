@@ -9,8 +9,8 @@ use crate::scenario::schema::{
 use nalgebra::{Translation3, Vector3, Vector6};
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
-    Branch, DhRow, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, SerialArm,
-    Shoulder, SphericalWristIk, Task, Wrist, euler, models,
+    Branch, DhRow, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, RobotError,
+    SerialArm, Shoulder, SphericalWristIk, Task, Wrist, euler, models,
 };
 
 /// Most joints an arm may have.
@@ -98,7 +98,7 @@ impl<const N: usize> Problem<N> {
         let task = task(file.robot.task);
         let arm = arm(&file.robot)?;
         let inverse = inverse(&file.robot.inverse);
-        inverse.validate(task, N).map_err(|error| LabError::value("robot.inverse", error))?;
+        inverse.validate(task, N).map_err(|error| LabError::value(inverse_key(&file.robot.inverse, &error), error))?;
         if task.rows().len() > N {
             let fault = Fault::OutOfRange { value: task.rows().len() as f64, least: 1.0, most: N as f64 };
             return Err(LabError::value("robot.task", fault));
@@ -226,6 +226,16 @@ fn inverse(table: &InverseTable) -> InverseMethod {
         InverseTable::Adjugate { epsilon } => InverseMethod::Adjugate { epsilon: epsilon.0 },
         InverseTable::DampedLeastSquares { damping } => InverseMethod::DampedLeastSquares { damping: damping.0 },
         InverseTable::TruncatedSvd { cutoff } => InverseMethod::TruncatedSvd { cutoff: cutoff.0 },
+    }
+}
+
+/// The key that an inverse's error is about.
+fn inverse_key(table: &InverseTable, error: &RobotError) -> &'static str {
+    match (table, error) {
+        (InverseTable::Adjugate { .. }, RobotError::NotPositive { .. }) => "robot.inverse.adjugate.epsilon",
+        (InverseTable::DampedLeastSquares { .. }, _) => "robot.inverse.damped-least-squares.damping",
+        (InverseTable::TruncatedSvd { .. }, _) => "robot.inverse.truncated-svd.cutoff",
+        _ => "robot.inverse",
     }
 }
 
