@@ -54,9 +54,9 @@ proptest! {
         }
     }
 
-    // The switch and the ratio agree to the bit: a quotient of doubles rounds to at most 1 exactly if the numerator is not
-    // the larger. (The next double above the limit is larger by a relative 2^-53 at least, and 1 + 2^-53 lies
-    // strictly below the quotient unless the limit is the largest double below a power of two, where it is 2^-52 / (2 - 2^-52).)
+    // The switch and the ratio agree to the bit. A quotient of at most 1 rounds to at most 1. The next double beyond a limit
+    // of 2^k s, 1 <= s < 2, is larger by a relative 2^-52 / s, more than half a unit in the last place of 1, so that quotient
+    // rounds to more than 1. (Normal limits only.)
     #[test]
     fn inside_the_limits_is_a_ratio_of_at_most_one(
         limits in limits::<1>(-3.0..3.0),
