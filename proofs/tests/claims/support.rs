@@ -26,10 +26,15 @@ pub(crate) fn config() -> ProptestConfig {
     }
 }
 
+/// A failing test prints its error by `Debug`; as a string that is the message, remedy included.
+fn solve(script: &str) -> Result<Answer, Box<dyn Error>> {
+    z3::run(script).map_err(|error| error.to_string().into())
+}
+
 /// Ok only if the solver proves every negation of the claim impossible.
 pub(crate) fn proven(claim: &Claim) -> Outcome {
     for negation in claim.negations {
-        match z3::run(negation.text)? {
+        match solve(negation.text)? {
             Answer::Unsat => {}
             other => return Err(format!("{}: expected unsat, the solver says {other:?}", negation.file).into()),
         }
@@ -40,7 +45,7 @@ pub(crate) fn proven(claim: &Claim) -> Outcome {
 /// The solver's counterexample to the claim with one hypothesis dropped.
 pub(crate) fn counterexample(claim: &Claim, without: &str) -> Result<Model, Box<dyn Error>> {
     let twin = claim.twins.iter().find(|twin| twin.without == without).ok_or("no such twin")?;
-    match z3::run(twin.script.text)? {
+    match solve(twin.script.text)? {
         Answer::Sat(model) => Ok(model),
         other => Err(format!("{}: expected sat, the solver says {other:?}", twin.script.file).into()),
     }
