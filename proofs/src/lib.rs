@@ -1,1 +1,41 @@
-//! x
+//! What is claimed about the conditioners, and the machine-checked form of each claim.
+//!
+//! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
+//! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
+//!
+//! 1. the negated inductive step has no model (`unsat`);
+//! 2. with the named hypothesis dropped it has one (`sat`), and that counterexample, replayed on the shipped code, is a
+//!    violation there as well. A proof whose hypotheses contradict each other would pass the first check and fail this;
+//! 3. over at least 10 000 random parameter sets that meet the hypotheses the shipped code keeps the claim, with a slack
+//!    for rounding that is derived where it is used.
+//!
+//! The scripts over the reals (`QF_NRA`) say nothing about rounding; those over doubles (`QF_FP`) are exact to the bit.
+//! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`
+//! largest use of a limit. All of them have unit 1.
+
+pub mod chattering_band;
+mod claim;
+pub mod command_within_limits;
+pub mod delayed_band;
+pub mod drifting_band;
+pub mod factor_range;
+pub mod frozen_band;
+pub mod implicit_band;
+pub mod nan_brakes;
+pub mod switching;
+pub mod z3;
+
+pub use claim::{Claim, Script, Twin, Verdict};
+
+/// Every claim, for the ledger.
+pub const CLAIMS: &[Claim] = &[
+    factor_range::CLAIM,
+    switching::CLAIM,
+    frozen_band::CLAIM,
+    drifting_band::CLAIM,
+    chattering_band::CLAIM,
+    delayed_band::CLAIM,
+    nan_brakes::CLAIM,
+    implicit_band::CLAIM,
+    command_within_limits::CLAIM,
+];

@@ -49,7 +49,9 @@ pub fn frozen_band_with_feedback(filter_step: f64, overspeed: f64, gain_step: f6
 /// and at equality no switch ever happens.
 #[must_use]
 pub fn switches_by(filter_step: f64, overspeed: f64, initial_factor: f64, samples: u32) -> bool {
-    let risen = 1.0 - (1.0 - initial_factor) * exp(f64::from(samples) * log1p(-filter_step));
+    // Not exp(0 * log1p(-a)) at the first sample: with a = 1 that is 0 * infinity, a NaN that would deny the switch.
+    let left = if samples == 0 { 1.0 } else { exp(f64::from(samples) * log1p(-filter_step)) };
+    let risen = 1.0 - (1.0 - initial_factor) * left;
     overspeed * risen > 1.0
 }
 

@@ -81,8 +81,8 @@ impl<const N: usize> ImplicitSpeedRegulator<N> {
         let allowed = regulator.limits.largest_factor(&desired.feedback, &desired.feedforward).unwrap_or(0.0);
         state.set(regulator.filter.next(before, 1.0).min(allowed));
         let factor = state.factor();
-        // 0 * infinity is NaN: a feedforward that is not finite is left out of a standing reference explicitly.
-        let speed = if factor > 0.0 { desired.at(factor) } else { desired.feedback };
+        // A feedforward that is not finite gives f* = 0, and 0 * infinity is NaN: the joints then stand still as well.
+        let speed = desired.at(factor);
         let saturated = regulator.limits.saturate(&speed, regulator.saturation);
         SpeedCommand {
             joint_speed: saturated.joint_speed,

@@ -1,0 +1,17 @@
+; Twin of delayed-band: the delay is one sample longer than the D = 1 the band is computed with.
+; The switch of sample 0 (m <= 1, so u = 1) still arrives at sample 2.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const g Real)
+(declare-const f0 Real)
+(define-fun f1 () Real (+ f0 (* a (- 1.0 f0))))
+(define-fun f2 () Real (+ f1 (* a (- 1.0 f1))))
+(define-fun f3 () Real (+ f2 (* a (- 1.0 f2))))
+(assert (and (<= 0.01 a) (<= a 0.9)))
+(assert (and (>= g 1.0) (<= g 10.0)))
+(assert (and (<= 0.0 f0) (<= (* g f0) 0.99)))
+(assert (>= (* g f3) (+ 1.1 (* (- 1.0 (* (- 1.0 a) (- 1.0 a))) (- g 1.0)))))
+(check-sat)
+(get-value (a g f0))

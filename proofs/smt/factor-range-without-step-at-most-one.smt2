@@ -1,0 +1,15 @@
+; Twin of factor-range: a <= 1 is dropped.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const f Real)
+(declare-const u Real)
+(define-fun f_next () Real (+ f (* a (- u f))))
+(assert (< 0.0 a))
+(assert (and (<= 0.0 f) (<= f 1.0)))
+(assert (or (= u 0.0) (= u 1.0)))
+; A margin, so that the violation survives rounding.
+(assert (not (and (<= (- 0.1) f_next) (<= f_next 1.1))))
+(check-sat)
+(get-value (a f u))

@@ -1,0 +1,12 @@
+; Twin of implicit-band: the feedback part alone may exceed the limits -1 and 1; the reference then stands still, f = 0.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const A Real)
+(declare-const B Real)
+(define-fun f () Real 0.0)
+(define-fun speed () Real (+ A (* f B)))
+(assert (and (<= (- 10.0) A) (<= A 10.0) (<= (- 10.0) B) (<= B 10.0)))
+(assert (or (>= speed 1.1) (<= speed (- 1.1))))
+(check-sat)
+(get-value (A B))

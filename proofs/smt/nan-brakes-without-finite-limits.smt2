@@ -1,0 +1,12 @@
+; Twin of nan-brakes: the limits need not be finite.
+(set-logic QF_FP)
+(declare-const lower (_ FloatingPoint 11 53))
+(declare-const upper (_ FloatingPoint 11 53))
+(declare-const speed (_ FloatingPoint 11 53))
+(define-fun zero () (_ FloatingPoint 11 53) ((_ to_fp 11 53) RNE 0.0))
+(assert (fp.lt lower zero))
+(assert (fp.lt zero upper))
+(assert (or (fp.isNaN speed) (fp.isInfinite speed)))
+(assert (and (fp.leq lower speed) (fp.leq speed upper)))
+(check-sat)
+(get-value (lower upper speed))

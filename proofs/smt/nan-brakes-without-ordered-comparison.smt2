@@ -1,0 +1,10 @@
+; Twin of nan-brakes: "inside" written as "neither below nor above", which is not the same where NaN is about.
+(set-logic QF_FP)
+(declare-const speed (_ FloatingPoint 11 53))
+(define-fun lower () (_ FloatingPoint 11 53) ((_ to_fp 11 53) RNE (- 1.0)))
+(define-fun upper () (_ FloatingPoint 11 53) ((_ to_fp 11 53) RNE 1.0))
+(define-fun inside () Bool (not (or (fp.lt speed lower) (fp.gt speed upper))))
+(assert (or (fp.isNaN speed) (fp.isInfinite speed)))
+(assert inside)
+(check-sat)
+(get-value (speed))

@@ -1,0 +1,17 @@
+; Twin of switching: eq 21 (g >= 1) taken as sufficient, without asking how many samples the run has.
+; Four samples, none of which switches.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const g Real)
+(declare-const f0 Real)
+(define-fun f1 () Real (+ f0 (* a (- 1.0 f0))))
+(define-fun f2 () Real (+ f1 (* a (- 1.0 f1))))
+(define-fun f3 () Real (+ f2 (* a (- 1.0 f2))))
+(assert (and (<= 0.01 a) (<= a 1.0)))
+(assert (>= g 1.1))
+(assert (and (<= 0.0 f0) (<= f0 1.0)))
+(assert (and (<= (* g f0) 0.99) (<= (* g f1) 0.99) (<= (* g f2) 0.99) (<= (* g f3) 0.99)))
+(check-sat)
+(get-value (a g f0))

@@ -1,0 +1,14 @@
+//! One module a claim: the negation has no model, a dropped hypothesis has one that the shipped code shares, and the
+//! shipped code keeps the claim over random inputs.
+
+mod chattering_band;
+mod command_within_limits;
+mod delayed_band;
+mod drifting_band;
+mod factor_range;
+mod frozen_band;
+mod implicit_band;
+mod ledger;
+mod nan_brakes;
+mod support;
+mod switching;

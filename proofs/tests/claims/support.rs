@@ -1,0 +1,135 @@
+//! Solver, generators and small robots shared by the claims.
+
+use std::error::Error;
+
+use proptest::prelude::{BoxedStrategy, Just, ProptestConfig, Strategy, prop_oneof};
+use slideway_conditioner::{
+    Advance, FirstOrderFilter, ParameterError, Saturation, SpeedLimits, SpeedRegulator, SpeedSettings,
+};
+use slideway_proofs::Claim;
+use slideway_proofs::z3::{self, Answer, Model};
+
+pub(crate) type Outcome = Result<(), Box<dyn Error>>;
+
+/// Sampling period, s. A power of two, so that `(a / TS) * TS` gives back `a` to the last bit.
+pub(crate) const TS: f64 = 1.0 / 1024.0;
+
+/// Unit roundoff of round-to-nearest doubles, 2^-53.
+pub(crate) const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+pub(crate) fn config() -> ProptestConfig {
+    ProptestConfig {
+        cases: 10_000,
+        failure_persistence: None,
+        max_global_rejects: 100_000,
+        ..ProptestConfig::default()
+    }
+}
+
+/// A failing test prints its error by `Debug`; as a string that is the message, remedy included.
+fn solve(script: &str) -> Result<Answer, Box<dyn Error>> {
+    z3::run(script).map_err(|error| error.to_string().into())
+}
+
+/// Ok only if the solver proves every negation of the claim impossible.
+pub(crate) fn proven(claim: &Claim) -> Outcome {
+    for negation in claim.negations {
+        match solve(negation.text)? {
+            Answer::Unsat => {}
+            other => return Err(format!("{}: expected unsat, the solver says {other:?}", negation.file).into()),
+        }
+    }
+    if claim.negations.is_empty() { Err("a claim without a script is not proven".into()) } else { Ok(()) }
+}
+
+/// The solver's counterexample to the claim with one hypothesis dropped.
+pub(crate) fn counterexample(claim: &Claim, without: &str) -> Result<Model, Box<dyn Error>> {
+    let twin = claim.twins.iter().find(|twin| twin.without == without).ok_or("no such twin")?;
+    match solve(twin.script.text)? {
+        Answer::Sat(model) => Ok(model),
+        other => Err(format!("{}: expected sat, the solver says {other:?}", twin.script.file).into()),
+    }
+}
+
+pub(crate) fn filter(step: f64) -> Result<FirstOrderFilter, ParameterError> {
+    FirstOrderFilter::new(step / TS, TS)
+}
+
+pub(crate) fn settings<const N: usize>(limits: SpeedLimits<N>, step: f64, target_rate: f64) -> SpeedSettings<N> {
+    SpeedSettings {
+        limits,
+        sampling_period: TS,
+        bandwidth: step / TS,
+        target_rate,
+        saturation: Saturation::DirectionPreserving,
+        advance: Advance::Paper,
+    }
+}
+
+/// One joint with the limits -1 and 1.
+pub(crate) fn unit_joint(step: f64, target_rate: f64) -> Result<SpeedRegulator<1>, ParameterError> {
+    SpeedRegulator::new(settings(SpeedLimits::symmetric([1.0])?, step, target_rate))
+}
+
+/// Filter steps over six decades, the largest one included.
+pub(crate) fn filter_step() -> BoxedStrategy<f64> {
+    prop_oneof![1 => Just(1.0), 4 => 1e-3..1.0, 4 => (-6.0..0.0).prop_map(|exponent: f64| 10f64.powf(exponent))].boxed()
+}
+
+pub(crate) fn saturation() -> impl Strategy<Value = Saturation> {
+    prop_oneof![Just(Saturation::Direct), Just(Saturation::DirectionPreserving)]
+}
+
+pub(crate) fn advance() -> impl Strategy<Value = Advance> {
+    prop_oneof![Just(Advance::Paper), Just(Advance::Synchronised)]
+}
+
+fn array<const N: usize>(values: &[f64]) -> [f64; N] {
+    std::array::from_fn(|joint| values.get(joint).copied().unwrap_or(f64::NAN))
+}
+
+/// `N` numbers of one strategy.
+pub(crate) fn joints<const N: usize>(one: impl Strategy<Value = f64> + 'static) -> BoxedStrategy<[f64; N]> {
+    proptest::collection::vec(one, N).prop_map(|values| array(&values)).boxed()
+}
+
+/// Asymmetric limits, `10^exponent` in size.
+pub(crate) fn limits<const N: usize>(exponents: std::ops::Range<f64>) -> BoxedStrategy<SpeedLimits<N>> {
+    let size = move || exponents.clone().prop_map(|exponent: f64| 10f64.powf(exponent));
+    (joints(size()), joints(size()))
+        .prop_filter_map("limits are positive and finite", |(lower, upper): ([f64; N], [f64; N])| {
+            SpeedLimits::new(lower.map(|l| -l), upper).ok()
+        })
+        .boxed()
+}
+
+/// Joints that all turn in proportion to one number: at 1 one joint reaches its limit and none exceeds its own.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Proportional<const N: usize> {
+    pub(crate) limits: SpeedLimits<N>,
+    at_one: [f64; N],
+}
+
+impl<const N: usize> Proportional<N> {
+    /// Desired joint speed for `‖F_N q̇d‖∞ = use_of_limit`. Two roundings from `at_one`, which has one, to the ratio.
+    pub(crate) fn at(&self, use_of_limit: f64) -> [f64; N] {
+        self.at_one.map(|speed| speed * use_of_limit)
+    }
+}
+
+pub(crate) fn proportional<const N: usize>() -> BoxedStrategy<Proportional<N>> {
+    (limits::<N>(-3.0..3.0), joints::<N>(-1.0..=1.0), 0..N, prop_oneof![Just(1.0), Just(-1.0)])
+        .prop_map(|(limits, mut shares, first, sign)| {
+            if let Some(share) = shares.get_mut(first) {
+                *share = sign;
+            }
+            let limit = |joint: usize, share: f64| {
+                let side = if share < 0.0 { limits.lower().map(f64::abs) } else { *limits.upper() };
+                side.get(joint).map_or(f64::NAN, |limit| share * limit)
+            };
+            let mut joint = 0..N;
+            let at_one = shares.map(|share| joint.next().map_or(f64::NAN, |joint| limit(joint, share)));
+            Proportional { limits, at_one }
+        })
+        .boxed()
+}
