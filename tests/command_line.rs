@@ -132,9 +132,11 @@ speed = [1.0, 2.0]
 speed_lower = [-0.5, -1.5]
 [control]
 gain = 10
-sampling_period = 1e-3
-bandwidth = 30
-target_rate = 12
+sampling_period = 1e-4
+bandwidth = 40
+target_rate = 8
+[compare]
+tolerance = 0.03
 "#;
 
 #[test]
@@ -145,7 +147,8 @@ fn an_arm_and_path_of_ones_own_with_asymmetric_limits_meet_the_optimum() {
     assert_eq!(output.status.code(), Some(0), "{}{}", stdout(&output), String::from_utf8_lossy(&output.stderr));
     let summary = json(&stdout(&output));
     let ratio = summary["verdict"]["ratio"].as_f64().expect("ratio");
-    assert!((1.0 - 1e-4..1.02).contains(&ratio), "{ratio}");
+    // The filter's start-up from rest costs some 35 ms of 1.4 s here.
+    assert!((1.0..1.03).contains(&ratio), "{ratio}");
 }
 
 #[test]

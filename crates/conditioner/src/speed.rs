@@ -92,7 +92,8 @@ pub struct SpeedCommand<const N: usize> {
     pub path_rate: f64,
     /// The factor `f` this sample used.
     pub factor: f64,
-    /// Input of the filter, `u`: 0 or 1 in the explicit forms, the selection of the set-valued switch in the implicit.
+    /// Input of the filter, `u`: 0 or 1 in the explicit forms. In the implicit form the selection of the set-valued switch:
+    /// at most 1, and negative where the limits fall faster than the filter could follow.
     pub switch: f64,
     /// Direction factor `fdir`, in [0, 1].
     pub direction_factor: f64,
