@@ -1,4 +1,4 @@
-use exmex::prelude::*;
+use exmex::{Differentiate, Express, FlatEx, FloatOpsFactory, MatchLiteral};
 use thiserror::Error;
 
 /// Why a formula was refused.
@@ -32,6 +32,32 @@ pub enum FormulaError {
     },
 }
 
+/// Numbers as people write them: `3`, `.5`, `2.5e-3`. The parser's own matcher does not know exponents.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Literal;
+
+impl MatchLiteral for Literal {
+    fn is_literal(text: &str) -> Option<&str> {
+        let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+        let whole = digits(0);
+        let fraction = if text[whole..].starts_with('.') { digits(whole + 1) } else { 0 };
+        if whole + fraction == 0 {
+            return None;
+        }
+        let mut end = whole + if text[whole..].starts_with('.') { 1 + fraction } else { 0 };
+        if text[end..].starts_with(['e', 'E']) {
+            let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
+            let exponent = digits(end + 1 + sign);
+            if exponent > 0 {
+                end += 1 + sign + exponent;
+            }
+        }
+        Some(&text[..end])
+    }
+}
+
+type Expression = FlatEx<f64, FloatOpsFactory<f64>, Literal>;
+
 /// What a name in a formula stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Slot {
@@ -42,12 +68,12 @@ enum Slot {
 /// A parsed expression with the meaning of its names, in the order in which the evaluator wants them.
 #[derive(Clone, Debug)]
 struct Compiled {
-    expression: exmex::FlatEx<f64>,
+    expression: Expression,
     slots: Vec<Slot>,
 }
 
 impl Compiled {
-    fn new(expression: exmex::FlatEx<f64>, text: &str, variable: Option<&str>) -> Result<Self, FormulaError> {
+    fn new(expression: Expression, text: &str, variable: Option<&str>) -> Result<Self, FormulaError> {
         let slots = expression
             .var_names()
             .iter()
@@ -89,13 +115,13 @@ impl Formula {
     /// It does not parse, uses another name, or contains an operator whose derivative is not known.
     pub(crate) fn new(text: &str, variable: &str) -> Result<Self, FormulaError> {
         let syntax = |error: exmex::ExError| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() };
-        let expression = exmex::parse::<f64>(text).map_err(syntax)?;
+        let expression = Expression::parse(text).map_err(syntax)?;
         let value = Compiled::new(expression.clone(), text, Some(variable))?;
-        let derivative =
-            |expression: exmex::FlatEx<f64>| match expression.var_names().iter().position(|name| name == variable) {
-                Some(index) => expression.partial(index).map_err(syntax),
-                None => exmex::parse::<f64>("0").map_err(syntax),
-            };
+        let derivative = |expression: Expression| match expression.var_names().iter().position(|name| name == variable)
+        {
+            Some(index) => expression.partial(index).map_err(syntax),
+            None => Expression::parse("0").map_err(syntax),
+        };
         let first = derivative(expression)?;
         let second = derivative(first.clone())?;
         Ok(Self {
@@ -118,7 +144,7 @@ impl Formula {
 ///
 /// It does not parse, uses a name other than `pi`, or is not finite.
 pub(crate) fn constant(text: &str) -> Result<f64, FormulaError> {
-    let expression = exmex::parse::<f64>(text)
+    let expression = Expression::parse(text)
         .map_err(|error| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() })?;
     let value = Compiled::new(expression, text, None)?.value(0.0);
     if value.is_finite() { Ok(value) } else { Err(FormulaError::NotFinite { text: text.to_owned(), value }) }
@@ -156,5 +182,7 @@ mod tests {
     fn constants_may_be_written_with_pi() {
         assert_eq!(constant("pi - 0.2"), Ok(std::f64::consts::PI - 0.2));
         assert_eq!(constant("-3e-2"), Ok(-0.03));
+        assert_eq!(constant("2.5E+1 - .5"), Ok(24.5));
+        assert_eq!(constant("1e3"), Ok(1e3));
     }
 }
