@@ -162,3 +162,8 @@ fn acceleration_limits_slow_the_optimum_and_make_the_times_incomparable() {
     assert!(summary["optimum"]["lower_s"].as_f64() > summary["optimum_speed_only"]["upper_s"].as_f64());
     assert!(summary["verdict"]["sentence"].as_str().expect("sentence").contains("not comparable"));
 }
+
+#[test]
+fn the_readme_documents_the_very_template() {
+    assert!(include_str!("../README.md").contains(slideway_lab::TEMPLATE));
+}
