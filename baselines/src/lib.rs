@@ -1,1 +1,5 @@
-//! x
+//! Offline optima and rival methods, each solution re-checked by a certificate that does not trust the solver.
+
+pub mod potential_field;
+pub mod projection;
+pub mod safety_filter;
