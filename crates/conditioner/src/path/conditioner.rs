@@ -42,6 +42,12 @@ pub struct PathConditioner<const N: usize, const M: usize> {
     pub(super) trap: Option<TrapAvoidance>,
 }
 
+/// The pushes one sample decides on.
+struct Pushes<const N: usize, const M: usize> {
+    past: Push<N, M>,
+    coming: Push<N, M>,
+}
+
 impl<const N: usize, const M: usize> PathConditioner<N, M> {
     /// Validates the settings once.
     ///
@@ -81,57 +87,58 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// One sample. `constraints` evaluates every constraint at a motion, at the time the motion carries.
-    #[inline]
+    #[inline(always)]
     pub fn step<E>(&self, state: &mut PathState<N, M>, reference: &Motion<N>, constraints: E) -> PathStep<N, M>
     where
         E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
     {
-        match self.conditioned(state, reference, &constraints) {
-            Ok(step) => step,
-            Err(reason) => self.hold(state, reference, &constraints, reason),
-        }
-    }
-
-    #[inline]
-    fn conditioned<E>(
-        &self,
-        state: &mut PathState<N, M>,
-        reference: &Motion<N>,
-        constraints: &E,
-    ) -> Result<PathStep<N, M>, HoldReason>
-    where
-        E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
-    {
         if !reference.is_finite() {
-            return Err(HoldReason::ReferenceNotFinite);
+            return self.hold(state, reference, &constraints, HoldReason::ReferenceNotFinite);
         }
         self.resume(state, reference);
-        let free = self.evaluate(self.motion(state, reference), constraints)?;
-        let (now, past) = self.correct(state, free, constraints)?;
-        let coming = self.push(&now)?;
+        let mut now = self.evaluate(self.motion(state, reference), &constraints);
+        let pushes = match self.pushes(state, &mut now, &constraints) {
+            Ok(pushes) => pushes,
+            Err(reason) => return self.hold(state, reference, &constraints, reason),
+        };
         let walk = state.trap.walk;
-        let inputs = self.trap_inputs(state, reference, &now, constraints);
-        let advance = self.advance(state, reference, &now, &coming.vector, &inputs);
-        let correction = difference(&difference(&now.motion.position, &reference.position), &walk);
-        let (outcome, push, reserve) = self.account(&coming, &past);
-        Ok(PathStep {
+        let inputs = self.trap_inputs(state, reference, &now, &constraints);
+        let advance = self.advance(state, reference, &now, &pushes.coming.vector, &inputs);
+        let (outcome, push, reserve) = self.account(&pushes);
+        PathStep {
             motion: now.motion,
             outcome,
-            sigma: now.samples.map(|s| s.value),
+            sigma: now.sigma(),
             phi: now.phi,
             share: push.share,
             push: push.vector,
             reserve,
-            correction,
+            correction: difference(&difference(&now.motion.position, &reference.position), &walk),
             walk,
             trap: inputs.phase,
             pace: state.trap.pace,
             advance,
-        })
+        }
+    }
+
+    /// The push over the past interval, which the motion already contains on return, and that of the coming one.
+    #[inline(always)]
+    fn pushes<E>(
+        &self,
+        state: &mut PathState<N, M>,
+        now: &mut Evaluated<N, M>,
+        constraints: &E,
+    ) -> Result<Pushes<N, M>, HoldReason>
+    where
+        E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
+    {
+        self.check(now)?;
+        let past = self.correct(state, now, constraints)?;
+        Ok(Pushes { past, coming: self.push(now)? })
     }
 
     /// The audit: what acted, and which push answers for this sample.
-    fn account(&self, coming: &Push<N, M>, past: &Push<N, M>) -> (PathOutcome, Push<N, M>, [f64; N]) {
+    fn account(&self, Pushes { past, coming }: &Pushes<N, M>) -> (PathOutcome, Push<N, M>, [f64; N]) {
         let acts = |push: &Push<N, M>| push.share.iter().any(|&s| s > 0.0);
         let acting = if acts(coming) || acts(past) { PathOutcome::Acting } else { PathOutcome::Free };
         match self.settings.form {
@@ -144,7 +151,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// After a held sample the filters are set so that the conditioned reference starts from rest where it stands.
-    #[inline]
+    #[inline(always)]
     fn resume(&self, state: &mut PathState<N, M>, reference: &Motion<N>) {
         match state.phase {
             Phase::Running => {}
@@ -164,7 +171,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// `p*` and `ṗ*` before any correction of this sample.
-    #[inline]
+    #[inline(always)]
     fn motion(&self, state: &PathState<N, M>, reference: &Motion<N>) -> Motion<N> {
         match self.discretisation {
             Discretisation::PrewarpedTustin => state.last,
@@ -180,7 +187,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// Explicit forms: the push for the coming interval.
-    #[inline]
+    #[inline(always)]
     fn push(&self, now: &Evaluated<N, M>) -> Result<Push<N, M>, HoldReason> {
         match self.settings.form.law() {
             Some(law) => {
@@ -192,7 +199,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// Advances every filter to the next sample; returns what the reference's clock gains.
-    #[inline]
+    #[inline(always)]
     fn advance(
         &self,
         state: &mut PathState<N, M>,

@@ -40,14 +40,14 @@ pub struct ConstraintSample<const N: usize> {
 
 impl<const N: usize> ConstraintSample<N> {
     /// `σ̇ = ∇σᵀ ṗ + ∂σ/∂t`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn rate(&self, velocity: &[f64; N]) -> f64 {
         super::vector::dot(&self.gradient, velocity) + self.time_rate
     }
 
     /// `φ = σ + K σ̇`, `[G12] eq 3`, with the explicit dependence on time of `[G12] 5.4`.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn phi(&self, approach: f64, velocity: &[f64; N]) -> f64 {
         self.value + approach * self.rate(velocity)
@@ -66,7 +66,7 @@ pub trait Constraint<const N: usize> {
 }
 
 /// Evaluates a list of constraints at one motion: what [`crate::PathConditioner::step`] wants from its closure.
-#[inline]
+#[inline(always)]
 pub fn sample_all<const N: usize, const M: usize>(
     constraints: &[&dyn Constraint<N>; M],
     motion: &Motion<N>,

@@ -73,15 +73,17 @@ impl<const N: usize, const M: usize> ActiveSet<N, M> {
     fn most_violated(&self, rows: &[[f64; N]; M], bounds: &[f64; M]) -> Option<usize> {
         let mut worst = None;
         let mut depth = 0.0;
-        for (i, (row, &bound)) in rows.iter().zip(bounds).enumerate() {
-            let length = dot(row, row);
+        let square = dot(&self.u, &self.u);
+        for (i, ((row, &bound), &member)) in rows.iter().zip(bounds).zip(&self.active).enumerate() {
             let excess = dot(row, &self.u) - bound;
-            let noise = ROUNDING * (libm::sqrt(length * dot(&self.u, &self.u)) + libm::fabs(bound));
-            // Compared as squares: one root less. An empty row that asks for something is infinitely deep.
-            let distance = if excess > noise { excess * excess / length } else { 0.0 };
-            let member = self.active.get(i).copied().unwrap_or(true);
-            if !member && distance > depth {
-                (worst, depth) = (Some(i), distance);
+            if member || excess <= 0.0 {
+                continue;
+            }
+            // Squares throughout: no roots. An empty row that asks for something is infinitely deep.
+            let length = dot(row, row);
+            let noise = ROUNDING * ROUNDING * (length * square + bound * bound);
+            if excess * excess > noise && excess * excess > depth * length {
+                (worst, depth) = (Some(i), excess * excess / length);
             }
         }
         worst

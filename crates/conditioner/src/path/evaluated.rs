@@ -15,26 +15,46 @@ pub(crate) struct Evaluated<const N: usize, const M: usize> {
     pub(crate) excess: [f64; M],
 }
 
+impl<const N: usize, const M: usize> Evaluated<N, M> {
+    /// `σ_i`. A loop, because mapping the array would copy every sample first.
+    #[inline(always)]
+    pub(crate) fn sigma(&self) -> [f64; M] {
+        let mut sigma = [0.0; M];
+        for (sigma, sample) in sigma.iter_mut().zip(&self.samples) {
+            *sigma = sample.value;
+        }
+        sigma
+    }
+}
+
 impl<const N: usize, const M: usize> PathConditioner<N, M> {
-    #[inline]
-    pub(super) fn evaluate<E>(&self, motion: Motion<N>, constraints: &E) -> Result<Evaluated<N, M>, HoldReason>
+    #[inline(always)]
+    pub(super) fn evaluate<E>(&self, motion: Motion<N>, constraints: &E) -> Evaluated<N, M>
     where
         E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
     {
-        let samples = constraints(&motion);
+        // Written into place: the samples are large, and copying them would cost more than evaluating them.
+        let mut now = Evaluated { samples: constraints(&motion), motion, phi: [0.0; M], excess: [0.0; M] };
+        now.phi = self.phi(&now.samples, &now.motion.velocity);
+        now.excess = self.margin(&now.samples);
+        for (e, p) in now.excess.iter_mut().zip(&now.phi) {
+            *e += p;
+        }
+        now
+    }
+
+    /// Names the first constraint that is not finite.
+    #[inline(always)]
+    pub(super) fn check(&self, now: &Evaluated<N, M>) -> Result<(), HoldReason> {
         let explicit = self.settings.form.law().is_some();
-        for (i, s) in samples.iter().enumerate() {
+        for (i, (s, phi)) in now.samples.iter().zip(&now.phi).enumerate() {
             let rates = explicit || finite(&s.gradient_rate);
-            if !(rates && s.value.is_finite() && s.time_rate.is_finite() && finite(&s.gradient)) {
+            // φ is a sum over value, gradient and time rate: finite if all of them are.
+            if !(rates && phi.is_finite() && finite(&s.gradient)) {
                 return Err(HoldReason::ConstraintNotFinite(i));
             }
         }
-        let phi = self.phi(&samples, &motion.velocity);
-        let mut excess = self.margin(&samples);
-        for (e, p) in excess.iter_mut().zip(&phi) {
-            *e += p;
-        }
-        Ok(Evaluated { motion, samples, phi, excess })
+        Ok(())
     }
 
     pub(super) fn phi(&self, samples: &[ConstraintSample<N>; M], velocity: &[f64; N]) -> [f64; M] {
@@ -57,7 +77,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
 
     /// How much `φ_i` falls over one sample per unit of push along a unit gradient: `γ1 + K γ2`, and the paper's
     /// `T α1² K` for the appendix's scheme.
-    #[inline]
+    #[inline(always)]
     pub(super) fn per_push(&self, approach: f64) -> f64 {
         match self.discretisation {
             Discretisation::ZeroOrderHold => {
@@ -71,7 +91,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn margin(&self, samples: &[ConstraintSample<N>; M]) -> [f64; M] {
         match (&self.settings.margin, self.settings.form.law()) {
             (Margin::Fixed(margin), _) => *margin,

@@ -61,12 +61,12 @@ impl PushFilter {
         self.b
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn output<const N: usize>(&self, state: &PushState<N>, input: &[f64; N]) -> [f64; N] {
         add_scaled(&state.first, self.feedthrough, input)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn advance<const N: usize>(&self, state: &mut PushState<N>, input: &[f64; N]) {
         let [[a11, a12], [a21, a22]] = self.a;
         let [b1, b2] = self.b;
@@ -115,18 +115,18 @@ impl RateFilter {
     }
 
     /// The filtered rate with this input.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn rate(&self, memory: f64, input: f64) -> f64 {
         memory + self.feedthrough * input
     }
 
     /// What the integral gains over one sample.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn gained(&self, memory: f64, input: f64) -> f64 {
         self.from_rate * memory + self.from_input * input
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn next(&self, memory: f64, input: f64) -> f64 {
         self.pole * memory + self.gain * input
     }

@@ -43,7 +43,7 @@ impl SwitchingLaw {
     }
 
     /// `u_SM` for the constraints that `active` marks, `[G12] eq 13, 17, 20`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn push<const N: usize, const M: usize>(
         &self,
         cutoff: f64,

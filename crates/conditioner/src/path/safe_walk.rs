@@ -40,8 +40,8 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         };
         let situation = Situation {
             distance: norm(&difference(&now.motion.position, &reference.position)),
-            // A reference where the constraints cannot be evaluated is not clearly inside.
-            reference_excess: self.evaluate(*reference, constraints).map_or(f64::INFINITY, |r| largest(&r.excess)),
+            // A reference where the constraints cannot be evaluated is not clearly inside: its NaN compares false.
+            reference_excess: &self.evaluate(*reference, constraints).excess,
             samples: &now.samples,
             excess: &now.excess,
             threshold: &threshold,
@@ -127,8 +127,4 @@ impl<const N: usize, const M: usize> SafeWalk<'_, N, M> {
         }
         drift
     }
-}
-
-fn largest<const M: usize>(values: &[f64; M]) -> f64 {
-    values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b))
 }

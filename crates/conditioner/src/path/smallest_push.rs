@@ -22,9 +22,9 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     pub(super) fn correct<E>(
         &self,
         state: &mut PathState<N, M>,
-        free: Evaluated<N, M>,
+        now: &mut Evaluated<N, M>,
         constraints: &E,
-    ) -> Result<(Evaluated<N, M>, Push<N, M>), HoldReason>
+    ) -> Result<Push<N, M>, HoldReason>
     where
         E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
     {
@@ -32,19 +32,19 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
             PathForm::Implicit { recovery_rate } => (recovery_rate, None),
             PathForm::Sliding { law, reserve: Reserve::On { recovery_rate } } => (recovery_rate, Some(law)),
             PathForm::Sliding { reserve: Reserve::Off, .. } | PathForm::Appendix { .. } => {
-                return Ok((free, Push::NONE));
+                return Ok(Push::NONE);
             }
         };
         let fall = rate * self.settings.sampling_period;
         let limits = Limits { law, regained: state.excess.map(|e| e - fall) };
-        if free.excess.iter().zip(&self.limits(&limits, &free.samples)).all(|(e, limit)| e <= limit) {
-            return Ok((free, Push::NONE));
+        if now.excess.iter().zip(&self.limits(&limits, &now.samples)).all(|(e, limit)| e <= limit) {
+            return Ok(Push::NONE);
         }
-        let (now, push) = self.smallest_push(&free, constraints, &limits)?;
+        let push = self.smallest_push(now, constraints, &limits)?;
         let [position, velocity] = self.filter.reach();
         state.push.first = add_scaled(&state.push.first, position, &push.vector);
         state.push.second = add_scaled(&state.push.second, velocity, &push.vector);
-        Ok((now, push))
+        Ok(push)
     }
 
     /// Zero, or the band of the explicit law; from outside, what the recovery leaves of the last sample's excess.
@@ -57,17 +57,17 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     }
 
     /// Repeated linearisation: each round projects the origin onto the half-spaces of the constraints linearised at the
-    /// last push, until the push no longer changes.
+    /// last push, until the push no longer changes. `now` moves along.
     fn smallest_push<E>(
         &self,
-        free: &Evaluated<N, M>,
+        now: &mut Evaluated<N, M>,
         constraints: &E,
         limits: &Limits<M>,
-    ) -> Result<(Evaluated<N, M>, Push<N, M>), HoldReason>
+    ) -> Result<Push<N, M>, HoldReason>
     where
         E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
     {
-        let mut now = *free;
+        let free = now.motion;
         let mut push = [0.0; N];
         for _ in 0..ROUNDS {
             let rows = self.rows(&now.samples);
@@ -79,11 +79,12 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
                 NoCorrection::Contradiction(i) => HoldReason::Contradiction(i),
                 NoCorrection::Cycling => HoldReason::CorrectionNotFound,
             })?;
-            let settled = self.settled(&now, &rows, &difference(&found.vector, &push));
+            let settled = self.settled(now, &rows, &difference(&found.vector, &push));
             push = found.vector;
-            now = self.evaluate(self.pushed(&free.motion, &push), constraints)?;
+            *now = self.evaluate(self.pushed(&free, &push), constraints);
+            self.check(now)?;
             if settled {
-                return Ok((now, Push { vector: push, share: shares(&rows, &found.multipliers) }));
+                return Ok(Push { vector: push, share: shares(&rows, &found.multipliers) });
             }
         }
         Err(HoldReason::CorrectionNotFound)

@@ -20,8 +20,8 @@ pub(crate) struct TrapAvoidance {
 pub(crate) struct Situation<'a, const N: usize, const M: usize> {
     /// Distance between conditioned reference and reference.
     pub(crate) distance: f64,
-    /// Largest `φ_i` plus margin at the reference.
-    pub(crate) reference_excess: f64,
+    /// `φ_i` plus margin at the reference.
+    pub(crate) reference_excess: &'a [f64; M],
     /// The constraints at the conditioned reference.
     pub(crate) samples: &'a [ConstraintSample<N>; M],
     /// `φ_i` plus margin there.
@@ -68,7 +68,7 @@ impl TrapAvoidance {
         self.turn(state);
         let active: [bool; M] = core::array::from_fn(|i| situation.excess[i] > -situation.threshold[i]);
         let lost = situation.distance > self.settings.distance_threshold;
-        let clear = situation.reference_excess < -self.settings.clearance_threshold;
+        let clear = situation.reference_excess.iter().all(|&e| e < -self.settings.clearance_threshold);
         if !(lost && clear) {
             state.time = 0.0;
             return TrapInputs { walk: bounded(self.home(state), &active), pace: 1.0, phase: TrapPhase::Following };

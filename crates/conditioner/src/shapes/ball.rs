@@ -24,7 +24,7 @@ impl<const N: usize> Ball<N> {
 }
 
 /// `‖x‖` with gradient and curvature along `v`; both are zero at the origin, where the norm has neither.
-#[inline]
+#[inline(always)]
 pub(super) fn length<const N: usize>(x: &[f64; N], v: &[f64; N]) -> Local<N> {
     let value = norm(x);
     if value <= 0.0 {
@@ -36,7 +36,7 @@ pub(super) fn length<const N: usize>(x: &[f64; N], v: &[f64; N]) -> Local<N> {
 }
 
 impl<const N: usize> Shape<N> for Ball<N> {
-    #[inline]
+    #[inline(always)]
     fn local(&self, position: &[f64; N], direction: &[f64; N]) -> Local<N> {
         let distance = length(&difference(position, &self.centre), direction);
         self.side.orient(Local { value: distance.value - self.radius, ..distance })
