@@ -9,12 +9,14 @@ use super::state::PathState;
 use super::vector::{add_scaled, difference, dot, norm, scaled};
 
 /// Linearisations of the constraints within one sample. The first leaves an error of the order of `T` relative to the
-/// correction, each further one multiplies it by as much again: five reach rounding at any useful sampling period.
+/// correction, each further one multiplies it by as much again: two or three suffice at any useful sampling period.
 const ROUNDS: usize = 8;
 
-/// A last change of a `φ_i`, relative to the size of the numbers it is made of, at which the rounds have converged: far
-/// above rounding, and the error left is of the order of its square.
-const CONVERGED: f64 = 1e-11;
+/// A last change of a `φ_i`, relative to the size of the numbers it is made of, at which the rounds have converged.
+///
+/// A change `c` of `φ` moves the position by `γ1 c / (K γ2) = c T / 2 K` and the velocity by `c / K`, so what a boundary of
+/// curvature `h` leaves of `φ` is about `h c² T / 2 K`: below 1e-15 m for lengths of 1 m, `h` up to 100 /m and `T < K / 10`.
+const CONVERGED: f64 = 1e-8;
 
 impl<const N: usize, const M: usize> PathConditioner<N, M> {
     /// Implicit form and reserve: the smallest additional push over the past interval that keeps every limit.
