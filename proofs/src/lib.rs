@@ -22,6 +22,14 @@ pub mod factor_range;
 pub mod frozen_band;
 pub mod implicit_band;
 pub mod nan_brakes;
+pub mod path_band;
+pub mod path_band_appendix;
+pub mod path_equivalence;
+pub mod path_gain;
+pub mod path_implicit;
+pub mod path_lag;
+#[cfg(test)]
+mod smt;
 pub mod switching;
 pub mod z3;
 

@@ -1,5 +1,8 @@
 use core::fmt;
 
+use crate::path::PathQuantity;
+use crate::shapes::ShapeParameter;
+
 /// Why a set of parameters was refused.
 ///
 /// Every variant carries the value that was refused, so that whoever shows the error can say what to change.
@@ -33,6 +36,22 @@ pub enum ParameterError {
     },
     /// A speed factor outside [0, 1].
     Factor(f64),
+    /// A parameter of the path conditioner is out of its range.
+    Path {
+        /// Which one.
+        quantity: PathQuantity,
+        /// The value that was given.
+        value: f64,
+    },
+    /// The safe walk was asked for without the explicit form and its reserve, which its guarantee rests on.
+    SafeWalkWithoutReserve,
+    /// A parameter of a shape is out of its range.
+    Shape {
+        /// Which one.
+        parameter: ShapeParameter,
+        /// The value that was given.
+        value: f64,
+    },
 }
 
 impl fmt::Display for ParameterError {
@@ -60,6 +79,11 @@ impl fmt::Display for ParameterError {
                 )
             }
             Self::Factor(value) => write!(f, "speed factor is {value}; it must lie in [0, 1]"),
+            Self::SafeWalkWithoutReserve => {
+                write!(f, "the safe walk needs the explicit zero-order-hold form with its reserve switched on")
+            }
+            Self::Shape { parameter, value } => write!(f, "{parameter} is {value}, which is out of its range"),
+            Self::Path { quantity, value } => write!(f, "{quantity} is {value}, which is out of its range"),
         }
     }
 }

@@ -1,0 +1,178 @@
+//! What no conditioner should be given, and what this one makes of it.
+
+mod support;
+
+use slideway_conditioner::path::{
+    Constraint, ConstraintSample, HoldReason, Margin, Motion, PathForm, PathOutcome, PathQuantity, PathSettings,
+    Reserve, SwitchingLaw, TrapPhase, Walk, sample_all,
+};
+use slideway_conditioner::shapes::{Ball, HalfSpace, Side};
+use slideway_conditioner::{ParameterError, PathConditioner};
+use support::{explicit, first_example, implicit, plane_and_sphere, trap_example};
+
+fn still(position: [f64; 3]) -> Motion<3> {
+    Motion { time: 0.0, position, velocity: [0.0; 3] }
+}
+
+fn forms() -> [PathForm; 3] {
+    let law = SwitchingLaw::Normalised { amplitude: 0.1 };
+    [explicit(0.1), PathForm::Appendix { law }, implicit()]
+}
+
+#[test]
+fn a_reference_that_is_not_finite_holds_the_last_position_and_recovers() {
+    for form in forms() {
+        let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, form)).expect("valid settings");
+        let mut state = conditioner.on_reference();
+        let good = still([0.0, -0.1, 0.2]);
+        let before = conditioner.step(&mut state, &good, plane_and_sphere).motion.position;
+        for bad in [f64::NAN, f64::INFINITY] {
+            let step = conditioner.step(&mut state, &still([bad, -0.1, 0.2]), plane_and_sphere);
+            assert_eq!(step.outcome, PathOutcome::Held(HoldReason::ReferenceNotFinite));
+            assert_eq!((step.motion.position, step.motion.velocity), (before, [0.0; 3]));
+            assert_eq!((step.pace, step.advance), (0.0, 0.0));
+            assert!(step.correction.iter().all(|c| c.is_finite()));
+        }
+        let after = conditioner.step(&mut state, &good, plane_and_sphere);
+        assert_eq!(after.outcome, PathOutcome::Free);
+        assert!(support::distance(&after.motion.position, &before) < 1e-15);
+    }
+}
+
+#[test]
+fn a_constraint_that_is_not_finite_holds_and_is_named() {
+    let bad = |motion: &Motion<3>| {
+        let mut samples = plane_and_sphere(motion);
+        samples[1].gradient[2] = f64::NAN;
+        samples
+    };
+    for form in forms() {
+        let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, form)).expect("valid settings");
+        let mut state = conditioner.on_reference();
+        let before = conditioner.step(&mut state, &still([0.0, -0.1, 0.2]), plane_and_sphere).motion.position;
+        let step = conditioner.step(&mut state, &still([0.0, -0.1, 0.1]), bad);
+        assert_eq!(step.outcome, PathOutcome::Held(HoldReason::ConstraintNotFinite(1)));
+        assert_eq!(step.motion.position, before);
+    }
+}
+
+#[test]
+fn an_empty_gradient_on_an_active_constraint_holds_and_is_named() {
+    // At the centre of a ball to be kept out of there is no way that is better than another.
+    for form in [explicit(0.1), PathForm::Appendix { law: SwitchingLaw::Normalised { amplitude: 0.1 } }] {
+        let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, form)).expect("valid settings");
+        let step = conditioner.step(&mut conditioner.on_reference(), &still([0.0; 3]), plane_and_sphere);
+        assert!(matches!(step.outcome, PathOutcome::Held(HoldReason::EmptyGradient(1))), "{:?}", step.outcome);
+        assert_eq!(step.motion.velocity, [0.0; 3]);
+    }
+    // The implicit form asks only that φ falls: at an empty gradient nothing it could do makes it fall.
+    let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, implicit())).expect("valid settings");
+    let mut state = conditioner.on_reference();
+    conditioner.step(&mut state, &still([0.0; 3]), plane_and_sphere);
+    let step = conditioner.step(&mut state, &still([0.0; 3]), plane_and_sphere);
+    assert_eq!(step.outcome, PathOutcome::Held(HoldReason::Contradiction(1)));
+}
+
+/// Two planes that face away from one another and leave nothing between.
+fn contradictory(motion: &Motion<3>) -> [ConstraintSample<3>; 2] {
+    let above = HalfSpace::new(&[0.0, 0.0, -1.0], -0.1).expect("a normal");
+    let below = HalfSpace::new(&[0.0, 0.0, 1.0], -0.1).expect("a normal");
+    sample_all(&[&above, &below], motion)
+}
+
+#[test]
+fn contradictory_constraints_hold_at_rest() {
+    for form in forms() {
+        let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, form)).expect("valid settings");
+        let mut state = conditioner.on_reference();
+        let mut last = None;
+        for k in 0..20 {
+            let reference = Motion { time: f64::from(k) * 1e-3, ..still([0.01 * f64::from(k), 0.0, 0.0]) };
+            last = Some(conditioner.step(&mut state, &reference, contradictory));
+        }
+        let step = last.expect("twenty steps");
+        let held =
+            matches!(step.outcome, PathOutcome::Held(HoldReason::OpposedGradients | HoldReason::Contradiction(_)));
+        assert!(held, "{form:?} ended {:?}", step.outcome);
+        assert!(step.motion.position.iter().all(|p| p.is_finite()) && step.motion.velocity == [0.0; 3]);
+    }
+}
+
+#[test]
+fn a_reference_that_jumps_into_the_forbidden_set_leaves_the_implicit_form_inside() {
+    let settings = PathSettings { margin: Margin::Fixed([1e-4; 2]), ..first_example(1e-3, implicit()) };
+    let conditioner = PathConditioner::<3, 2>::new(settings).expect("valid settings");
+    let mut state = conditioner.on_reference();
+    for k in 0..1000 {
+        // A jump through plane and sphere: not what Assumption 1 allows.
+        let position = if k < 100 { [0.0, -0.1, 0.0] } else { [0.0, 0.2, 0.0] };
+        let reference = Motion { time: f64::from(k) * 1e-3, ..still(position) };
+        let step = conditioner.step(&mut state, &reference, plane_and_sphere);
+        if matches!(step.outcome, PathOutcome::Held(_)) {
+            assert_eq!(step.motion.velocity, [0.0; 3]);
+        }
+        assert!(step.sigma.iter().all(|&s| s <= 0.0), "σ = {:?} at sample {k}", step.sigma);
+    }
+}
+
+/// Three walls around the corner at the origin; the reference sits outside.
+fn corner(motion: &Motion<3>) -> [ConstraintSample<3>; 3] {
+    let wall = |i: usize| {
+        let mut normal = [0.0; 3];
+        normal[i] = 1.0;
+        HalfSpace::new(&normal, 0.0).expect("a unit normal").sample(motion)
+    };
+    [wall(0), wall(1), wall(2)]
+}
+
+#[test]
+fn a_walk_with_as_many_active_constraints_as_dimensions_is_reported_as_blocked() {
+    let conditioner = PathConditioner::<3, 3>::new(trap_example(Walk::Paper, 2.0, 1)).expect("valid settings");
+    let mut state = conditioner.at_rest(&[-1e-3; 3]).expect("a finite position");
+    // Clearly inside and far away: the walk is wanted. All three walls are near, so it has nowhere to go.
+    let step = conditioner.step(&mut state, &still([-1.0; 3]), corner);
+    assert_eq!(step.trap, TrapPhase::Blocked);
+    assert!(step.sigma.iter().all(|&s| s <= 0.0));
+}
+
+#[test]
+fn parameters_out_of_range_are_named() {
+    let good = first_example(1e-3, explicit(0.1));
+    let cases = [
+        (PathSettings { push_cutoff: f64::NAN, ..good }, PathQuantity::PushCutoff),
+        (PathSettings { push_cutoff: 4e3, ..good }, PathQuantity::PushCutoff),
+        (PathSettings { approach: [0.1, 0.0], ..good }, PathQuantity::Approach(1)),
+        (PathSettings { margin: Margin::Fixed([-1.0, 0.0]), ..good }, PathQuantity::Margin(0)),
+        (PathSettings { form: explicit(-1.0), ..good }, PathQuantity::Push),
+        (PathSettings { form: PathForm::Implicit { recovery_rate: 0.0 }, ..good }, PathQuantity::RecoveryRate),
+    ];
+    for (settings, expected) in cases {
+        match PathConditioner::<3, 2>::new(settings) {
+            Err(ParameterError::Path { quantity, .. }) => assert_eq!(quantity, expected),
+            other => panic!("{expected}: {other:?}"),
+        }
+    }
+    let period = PathConditioner::<3, 2>::new(PathSettings { sampling_period: 0.0, ..good });
+    assert_eq!(period, Err(ParameterError::SamplingPeriod(0.0)));
+    let start = PathConditioner::<3, 2>::new(good).expect("valid").at_rest(&[0.0, f64::INFINITY, 0.0]);
+    assert!(matches!(start, Err(ParameterError::Path { quantity: PathQuantity::Start(1), .. })));
+}
+
+#[test]
+fn the_safe_walk_is_refused_where_its_guarantee_does_not_hold() {
+    let law = SwitchingLaw::Normalised { amplitude: 1.6 };
+    let asked = trap_example::<1>(Walk::Safe { push_share: 0.4 }, 5.0, 1);
+    for form in [explicit(1.6), PathForm::Appendix { law }, implicit()] {
+        let refused = PathConditioner::<3, 1>::new(PathSettings { form, ..asked });
+        assert_eq!(refused, Err(ParameterError::SafeWalkWithoutReserve));
+    }
+    let form = PathForm::Sliding { law, reserve: Reserve::On { recovery_rate: 1.0 } };
+    assert!(PathConditioner::<3, 1>::new(PathSettings { form, ..asked }).is_ok());
+}
+
+#[test]
+fn a_ball_reports_an_empty_gradient_at_its_centre() {
+    let ball = Ball::new([1.0, 2.0, 3.0], 0.5, Side::Outside).expect("a positive radius");
+    let sample = ball.sample(&still([1.0, 2.0, 3.0]));
+    assert_eq!((sample.value, sample.gradient), (0.5, [-0.0; 3]));
+}

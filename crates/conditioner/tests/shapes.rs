@@ -1,0 +1,140 @@
+//! Every shape against finite differences of its own value.
+
+use proptest::prelude::*;
+use slideway_conditioner::ParameterError;
+use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
+use slideway_conditioner::shapes::{
+    Ball, BoothOval, Cylinder, Ellipsoid, HalfSpace, Moving, Oscillation, Polytope, ShapeParameter, Side, SmoothBox,
+    UniformMotion,
+};
+
+/// Step of the differences. Their truncation error is `h²/6` times a third derivative, their rounding `1e-16 / h`.
+const H: f64 = 1e-5;
+
+/// Third derivatives of the shapes below, at the points below, in units of 1/m²: curvature radii are 0.1 m and more, the
+/// box and the oval have ten times that. `h² * 1e4 = 1e-6` covers them; a wrong term of a gradient of size 1 does not hide.
+const TOLERANCE: f64 = 1e-6;
+
+fn moved(m: &Motion<3>, time: f64) -> Motion<3> {
+    let position = std::array::from_fn(|i| m.position[i] + time * m.velocity[i]);
+    Motion { time: m.time + time, position, velocity: m.velocity }
+}
+
+fn check(constraint: &dyn Constraint<3>, at: &Motion<3>) -> Result<(), TestCaseError> {
+    let here = constraint.sample(at);
+    let near = |actual: f64, expected: f64, what: &str| -> Result<(), TestCaseError> {
+        let size = 1.0 + expected.abs() + here.gradient_rate.iter().map(|x| x.abs()).sum::<f64>();
+        prop_assert!((actual - expected).abs() <= TOLERANCE * size * 10.0, "{what}: {actual}, differences {expected}");
+        Ok(())
+    };
+    for i in 0..3 {
+        let shifted = |h: f64| {
+            let mut m = *at;
+            m.position[i] += h;
+            constraint.sample(&m).value
+        };
+        near(here.gradient[i], (shifted(H) - shifted(-H)) / (2.0 * H), "gradient")?;
+    }
+    let later = |h: f64| constraint.sample(&Motion { time: at.time + h, ..*at }).value;
+    near(here.time_rate, (later(H) - later(-H)) / (2.0 * H), "time rate")?;
+    let along = |h: f64| constraint.sample(&moved(at, h));
+    let (ahead, behind): (ConstraintSample<3>, ConstraintSample<3>) = (along(H), along(-H));
+    for i in 0..3 {
+        near(here.gradient_rate[i], (ahead.gradient[i] - behind.gradient[i]) / (2.0 * H), "gradient rate")?;
+    }
+    near(here.time_rate_rate, (ahead.time_rate - behind.time_rate) / (2.0 * H), "rate of the time rate")
+}
+
+fn motions() -> impl Strategy<Value = Motion<3>> {
+    // Between 0.2 and 1 m from every centre and axis: a singular point is a matter of another test.
+    (prop::array::uniform3(0.2..0.6_f64), prop::array::uniform3(any::<bool>()), prop::array::uniform3(-1.0..1.0_f64))
+        .prop_map(|(size, flip, velocity)| {
+            let position = std::array::from_fn(|i| if flip[i] { -size[i] } else { size[i] });
+            Motion { time: 0.3, position, velocity }
+        })
+}
+
+const SIDES: [Side; 2] = [Side::Inside, Side::Outside];
+
+proptest! {
+    #[test]
+    fn the_derivatives_of_every_standing_shape_are_those_of_its_value(at in motions()) {
+        check(&HalfSpace::new(&[1.0, -2.0, 0.5], 0.3).expect("a normal"), &at)?;
+        for side in SIDES {
+            check(&Ball::new([0.05, 0.0, -0.05], 0.3, side).expect("valid"), &at)?;
+            check(&Ellipsoid::new([0.0; 3], &[0.8, 0.5, 0.2], 0.2, side).expect("valid"), &at)?;
+            check(&Cylinder::new([0.0; 3], &[0.0, 0.1, 1.0], 0.1, side).expect("valid"), &at)?;
+            check(&SmoothBox::new([0.0; 3], [0.5, 0.4, 0.6], 6.0, 0.4, side).expect("valid"), &at)?;
+            check(&BoothOval::new([1.0, 1.0, 0.3], 0.5, side).expect("valid"), &at)?;
+            let cube = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]];
+            check(&Polytope::new(&cube, [0.2, 0.3, 0.2, 0.3, 0.4], 5.0, side).expect("valid"), &at)?;
+        }
+    }
+
+    #[test]
+    fn the_derivatives_of_a_moving_shape_are_those_of_its_value(at in motions()) {
+        let ball = Ball::new([0.0; 3], 0.3, Side::Outside).expect("valid");
+        let swing = Oscillation { amplitude: [0.05, -0.02, 0.03], frequency: 3.0, phase: 0.4 };
+        check(&Moving { shape: ball, trajectory: swing }, &at)?;
+        let oval = BoothOval::new([1.0, 1.0, 0.3], 0.5, Side::Outside).expect("valid");
+        let drift = UniformMotion { velocity: [0.1, -0.2, 0.1], acceleration: [0.0, 0.3, -0.1] };
+        check(&Moving { shape: oval, trajectory: drift }, &at)?;
+    }
+
+    #[test]
+    fn a_smoothed_polytope_is_on_the_safe_side_of_the_sharp_one(at in motions()) {
+        let normals = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+        let offsets = [0.3, 0.3, 0.4, 0.4];
+        let sharp = (0..4)
+            .map(|i| (0..3).map(|k| normals[i][k] * at.position[k]).sum::<f64>() - offsets[i])
+            .fold(f64::NEG_INFINITY, f64::max);
+        let slack = 4.0_f64.ln() / 50.0;
+        let inside = Polytope::new(&normals, offsets, 50.0, Side::Inside).expect("valid").sample(&at).value;
+        let outside = Polytope::new(&normals, offsets, 50.0, Side::Outside).expect("valid").sample(&at).value;
+        // Both sides to rounding.
+        prop_assert!(inside >= sharp - 1e-14 && inside <= sharp + slack + 1e-14);
+        prop_assert!(outside >= -sharp - 1e-14 && outside <= -sharp + slack + 1e-14);
+    }
+}
+
+#[test]
+fn the_shapes_of_the_paper_have_its_values() {
+    let at = |position| Motion { time: 0.0, position, velocity: [0.0; 3] };
+    // [G12] eq 36 at the upper pole, eq 40 at the bottom of the upper hole and on the equator: boundaries.
+    let ellipsoid = Ellipsoid::new([0.0; 3], &[0.8, 0.8, 0.1], 0.1, Side::Outside).expect("valid");
+    assert!(ellipsoid.sample(&at([0.0, 0.0, 0.1])).value.abs() < 1e-16);
+    let oval = BoothOval::new([1.0, 1.0, 0.3], 0.5, Side::Outside).expect("valid");
+    assert!(oval.sample(&at([0.0, 0.0, 0.15])).value.abs() < 1e-15);
+    assert!(oval.sample(&at([0.5, 0.0, 0.0])).value.abs() < 1e-15);
+}
+
+#[test]
+fn a_shape_that_cannot_be_is_refused_by_name() {
+    let refused = |error, expected| {
+        assert!(matches!(error, Some(ParameterError::Shape { parameter, .. }) if parameter == expected))
+    };
+    refused(Ball::new([0.0; 3], 0.0, Side::Inside).err(), ShapeParameter::Radius);
+    refused(Ball::new([0.0, f64::NAN, 0.0], 1.0, Side::Inside).err(), ShapeParameter::Coordinate(1));
+    refused(HalfSpace::new(&[0.0; 3], 1.0).err(), ShapeParameter::DirectionLength);
+    refused(Ellipsoid::new([0.0; 3], &[1.0, -1.0, 1.0], 1.0, Side::Inside).err(), ShapeParameter::SemiAxis(1));
+    refused(SmoothBox::new([0.0; 3], [1.0; 3], 1.5, 1.0, Side::Inside).err(), ShapeParameter::Exponent);
+    refused(BoothOval::new([1.0, 0.0, 1.0], 1.0, Side::Inside).err(), ShapeParameter::Weight(1));
+    refused(Cylinder::new([0.0; 3], &[0.0; 3], 1.0, Side::Inside).err(), ShapeParameter::DirectionLength);
+    refused(Polytope::new(&[[1.0, 0.0, 0.0]], [0.0], 0.0, Side::Inside).err(), ShapeParameter::Sharpness);
+}
+
+#[test]
+fn a_shape_has_an_empty_gradient_where_it_has_none() {
+    let at = Motion { time: 0.0, position: [0.0; 3], velocity: [1.0, 0.0, 0.0] };
+    let shapes: [&dyn Constraint<3>; 4] = [
+        &Ellipsoid::new([0.0; 3], &[1.0, 2.0, 3.0], 1.0, Side::Outside).expect("valid"),
+        &Cylinder::new([0.0; 3], &[0.0, 0.0, 1.0], 1.0, Side::Outside).expect("valid"),
+        &SmoothBox::new([0.0; 3], [1.0; 3], 4.0, 1.0, Side::Outside).expect("valid"),
+        &BoothOval::new([1.0; 3], 1.0, Side::Outside).expect("valid"),
+    ];
+    for shape in shapes {
+        let sample = shape.sample(&at);
+        assert_eq!(sample.gradient.map(f64::abs), [0.0; 3]);
+        assert!(sample.value > 0.0 && sample.gradient_rate.iter().all(|x| x.is_finite()));
+    }
+}

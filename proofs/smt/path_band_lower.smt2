@@ -1,0 +1,11 @@
+; phi >= -(G - Dmin)+ is kept by one sample, for drifts that are not negative: no counterexample.
+(declare-const phi Real) (declare-const next Real)
+(declare-const D Real) (declare-const Dmin Real) (declare-const G Real)
+(define-fun lower () Real (ite (>= G Dmin) (- Dmin G) 0.0))
+(assert (>= D Dmin))
+(assert (>= Dmin 0.0))
+(assert (> G 0.0))
+(assert (>= phi lower))
+(assert (= next (+ phi D (ite (>= phi 0.0) (- G) 0.0))))
+(assert (< next lower))
+(check-sat)

@@ -1,0 +1,10 @@
+; Twin: a drift that can be negative carries phi further down.
+(declare-const phi Real) (declare-const next Real)
+(declare-const D Real) (declare-const Dmin Real) (declare-const G Real)
+(define-fun lower () Real (ite (>= G Dmin) (- Dmin G) 0.0))
+(assert (>= D Dmin))
+(assert (> G 0.0))
+(assert (>= phi lower))
+(assert (= next (+ phi D (ite (>= phi 0.0) (- G) 0.0))))
+(assert (< next lower))
+(check-sat)
