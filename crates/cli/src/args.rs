@@ -33,7 +33,7 @@ pub(crate) enum Command {
 pub(crate) struct CompareArguments {
     /// Name of a built-in scenario, or path of a scenario file (TOML).
     pub(crate) scenario: String,
-    /// Where to write the results [default: out/<scenario>].
+    /// Where to write the results [default: `out/` and the scenario's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].

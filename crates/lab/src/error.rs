@@ -101,6 +101,15 @@ pub enum Fault {
     /// A path that has no finite value or derivative somewhere.
     #[error("no finite value or derivative at path parameter {0:.6}")]
     UndefinedAt(f64),
+    /// A constraint whose gradient is zero on its own boundary.
+    #[error(
+        "the gradient vanishes on the boundary near ({:.4}, {:.4}, {:.4}) m: there is no direction to push",
+        near[0], near[1], near[2]
+    )]
+    VanishingGradient {
+        /// A point of the reference near that place, m.
+        near: [f64; 3],
+    },
     /// A formula that cannot be used.
     #[error(transparent)]
     Formula(#[from] FormulaError),
@@ -128,6 +137,10 @@ impl Fault {
             Self::JointCount(_) => "use an arm with 1 to 7 joints".into(),
             Self::OutOfRange { least, most, .. } => format!("give a number from {least} to {most}"),
             Self::UndefinedAt(_) => "change the formula, or the range of the path parameter".into(),
+            Self::VanishingGradient { .. } => {
+                "write the constraint so that it crosses zero with a slope, for example `r - 1` instead of `(r - 1)^2`"
+                    .into()
+            }
             Self::Formula(_) => "formulas use + - * / ^, sin, cos, exp, sqrt and the like, `lambda` and `pi`".into(),
             Self::Conditioner(ParameterError::FilterStep { .. }) => {
                 "lower `control.bandwidth` or `control.sampling_period` until their product is at most 1".into()

@@ -58,83 +58,91 @@ impl MatchLiteral for Literal {
 
 type Expression = FlatEx<f64, FloatOpsFactory<f64>, Literal>;
 
-/// What a name in a formula stands for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Slot {
-    Variable,
-    Pi,
-}
-
-/// A parsed expression with the meaning of its names, in the order in which the evaluator wants them.
+/// A formula in several variables, and `pi`.
 #[derive(Clone, Debug)]
-struct Compiled {
+pub(crate) struct MultiFormula {
     expression: Expression,
-    slots: Vec<Slot>,
+    variables: &'static [&'static str],
+    text: String,
+    /// For each name of the expression, in the order in which the evaluator wants them: the variable, or `None` for pi.
+    slots: Vec<Option<usize>>,
 }
 
-impl Compiled {
-    fn new(expression: Expression, text: &str, variable: Option<&str>) -> Result<Self, FormulaError> {
-        let slots = expression
-            .var_names()
-            .iter()
-            .map(|name| match name.as_str() {
-                "pi" => Ok(Slot::Pi),
-                name if Some(name) == variable => Ok(Slot::Variable),
-                name => Err(FormulaError::UnknownName {
-                    text: text.to_owned(),
-                    name: name.to_owned(),
-                    known: variable.map_or_else(|| "pi".to_owned(), |v| format!("{v}, pi")),
-                }),
-            })
-            .collect::<Result<_, _>>()?;
-        Ok(Self { expression, slots })
+/// Most names a formula can have: the variables and pi.
+const MAX_NAMES: usize = 8;
+
+impl MultiFormula {
+    /// Parses a formula in the given variables.
+    pub(crate) fn new(text: &str, variables: &'static [&'static str]) -> Result<Self, FormulaError> {
+        let expression = Expression::parse(text).map_err(|error| syntax(text, &error))?;
+        Self::with(expression, text, variables)
     }
 
-    fn value(&self, x: f64) -> f64 {
-        let mut arguments = [0.0; 2];
+    fn with(expression: Expression, text: &str, variables: &'static [&'static str]) -> Result<Self, FormulaError> {
+        let slot = |name: &String| match variables.iter().position(|v| v == name) {
+            Some(index) => Ok(Some(index)),
+            None if name == "pi" => Ok(None),
+            None => Err(FormulaError::UnknownName {
+                text: text.to_owned(),
+                name: name.clone(),
+                known: variables.iter().chain(&["pi"]).copied().collect::<Vec<_>>().join(", "),
+            }),
+        };
+        let slots = expression.var_names().iter().map(slot).collect::<Result<_, _>>()?;
+        Ok(Self { expression, variables, text: text.to_owned(), slots })
+    }
+
+    /// The derivative by one of the variables, taken symbolically.
+    pub(crate) fn derivative(&self, variable: &str) -> Result<Self, FormulaError> {
+        let index = self.expression.var_names().iter().position(|name| name == variable);
+        let derivative = match index {
+            Some(index) => self.expression.clone().partial(index),
+            None => Expression::parse("0"),
+        };
+        Self::with(derivative.map_err(|error| syntax(&self.text, &error))?, &self.text, self.variables)
+    }
+
+    /// The value; NaN where the formula is not defined.
+    pub(crate) fn at(&self, values: &[f64]) -> f64 {
+        let mut arguments = [0.0; MAX_NAMES];
         for (argument, slot) in arguments.iter_mut().zip(&self.slots) {
-            *argument = if *slot == Slot::Pi { std::f64::consts::PI } else { x };
+            *argument = slot.map_or(std::f64::consts::PI, |i| values.get(i).copied().unwrap_or(f64::NAN));
         }
-        self.expression.eval(&arguments[..self.slots.len().min(2)]).unwrap_or(f64::NAN)
+        let count = self.slots.len().min(MAX_NAMES);
+        self.expression.eval(&arguments[..count]).unwrap_or(f64::NAN)
     }
 }
 
-/// A formula in one variable with its first two derivatives, taken symbolically.
+fn syntax(text: &str, error: &exmex::ExError) -> FormulaError {
+    FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() }
+}
+
+/// A formula in one variable with its first two derivatives.
 #[derive(Clone, Debug)]
 pub(crate) struct Formula {
-    value: Compiled,
-    first: Compiled,
-    second: Compiled,
+    derivatives: [MultiFormula; 3],
 }
 
+/// The variable of a path.
+const LAMBDA: &[&str] = &["lambda"];
+
 impl Formula {
-    /// Parses a formula in `variable` (and `pi`).
+    /// Parses a formula in `lambda` (and `pi`).
     ///
     /// # Errors
     ///
     /// It does not parse, uses another name, or contains an operator whose derivative is not known.
-    pub(crate) fn new(text: &str, variable: &str) -> Result<Self, FormulaError> {
-        let syntax = |error: exmex::ExError| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() };
-        let expression = Expression::parse(text).map_err(syntax)?;
-        let value = Compiled::new(expression.clone(), text, Some(variable))?;
-        let derivative = |expression: Expression| match expression.var_names().iter().position(|name| name == variable)
-        {
-            Some(index) => expression.partial(index).map_err(syntax),
-            None => Expression::parse("0").map_err(syntax),
-        };
-        let first = derivative(expression)?;
-        let second = derivative(first.clone())?;
-        Ok(Self {
-            value,
-            first: Compiled::new(first, text, Some(variable))?,
-            second: Compiled::new(second, text, Some(variable))?,
-        })
+    pub(crate) fn new(text: &str) -> Result<Self, FormulaError> {
+        let value = MultiFormula::new(text, LAMBDA)?;
+        let first = value.derivative("lambda")?;
+        let second = first.derivative("lambda")?;
+        Ok(Self { derivatives: [value, first, second] })
     }
 
-    /// Value, first and second derivative at `x`; NaN where the formula is not defined.
+    /// Value, first and second derivative at a path parameter; NaN where the formula is not defined.
     #[must_use]
-    pub(crate) fn at(&self, x: f64) -> [f64; 3] {
-        [self.value.value(x), self.first.value(x), self.second.value(x)]
+    pub(crate) fn at(&self, lambda: f64) -> [f64; 3] {
+        [0, 1, 2].map(|order: usize| self.derivatives[order].at(&[lambda]))
     }
 }
 
@@ -144,9 +152,7 @@ impl Formula {
 ///
 /// It does not parse, uses a name other than `pi`, or is not finite.
 pub(crate) fn constant(text: &str) -> Result<f64, FormulaError> {
-    let expression = Expression::parse(text)
-        .map_err(|error| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() })?;
-    let value = Compiled::new(expression, text, None)?.value(0.0);
+    let value = MultiFormula::new(text, &[])?.at(&[]);
     if value.is_finite() { Ok(value) } else { Err(FormulaError::NotFinite { text: text.to_owned(), value }) }
 }
 
@@ -156,7 +162,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_a_formula_are_symbolic() {
-        let formula = Formula::new("0.1 * (cos(2 * pi * s) - 1) + s^3", "s").expect("parses");
+        let formula = Formula::new("0.1 * (cos(2 * pi * lambda) - 1) + lambda^3").expect("parses");
         let [value, first, second] = formula.at(0.3);
         let w = std::f64::consts::TAU;
         // A handful of roundings of numbers below 10.
@@ -167,12 +173,12 @@ mod tests {
 
     #[test]
     fn constant_formulas_have_zero_derivatives() {
-        assert_eq!(Formula::new("pi", "s").expect("parses").at(2.0), [std::f64::consts::PI, 0.0, 0.0]);
+        assert_eq!(Formula::new("pi").expect("parses").at(2.0), [std::f64::consts::PI, 0.0, 0.0]);
     }
 
     #[test]
     fn unknown_names_are_pointed_out() {
-        assert!(matches!(Formula::new("sin(x)", "s"), Err(FormulaError::UnknownName { name, .. }) if name == "x"));
+        assert!(matches!(Formula::new("sin(x)"), Err(FormulaError::UnknownName { name, .. }) if name == "x"));
         assert!(matches!(constant("2 * tau_1"), Err(FormulaError::UnknownName { .. })));
         assert!(matches!(constant("1 / 0"), Err(FormulaError::NotFinite { .. })));
         assert!(matches!(constant("2 *"), Err(FormulaError::Syntax { .. })));

@@ -16,7 +16,7 @@ pub struct CartesianPath {
 
 /// Position along the path.
 #[derive(Clone, Debug)]
-enum PositionCurve {
+pub(crate) enum PositionCurve {
     Helix { start: Vector3<f64>, radius: f64, climb: f64 },
     Line { from: Vector3<f64>, rate: Vector3<f64>, begin: f64 },
     Formula(Box<[Formula; 3]>),
@@ -48,7 +48,7 @@ pub struct PathPoint {
 }
 
 /// Value and derivatives of three coordinates.
-type Curve3 = [Vector3<f64>; 3];
+pub(crate) type Curve3 = [Vector3<f64>; 3];
 
 impl CartesianPath {
     pub(crate) fn new(table: &PathTable, task: TaskName) -> Result<Self, LabError> {
@@ -66,7 +66,12 @@ impl CartesianPath {
             }
             None => OrientationCurve::Constant(Vector3::zeros()),
         };
-        let path = Self { start, end, position: PositionCurve::new(&table.position, start, end)?, orientation };
+        let path = Self {
+            start,
+            end,
+            position: PositionCurve::new(&table.position, start, end, "path.position")?,
+            orientation,
+        };
         path.check_finite()?;
         Ok(path)
     }
@@ -132,7 +137,7 @@ fn vector(numbers: &[crate::scenario::number::Number; 3]) -> Vector3<f64> {
 }
 
 fn formulas(texts: [(&str, &str); 3]) -> Result<Box<[Formula; 3]>, LabError> {
-    let parse = |(key, text): (&str, &str)| Formula::new(text, "lambda").map_err(|error| LabError::value(key, error));
+    let parse = |(key, text): (&str, &str)| Formula::new(text).map_err(|error| LabError::value(key, error));
     let [a, b, c] = texts;
     Ok(Box::new([parse(a)?, parse(b)?, parse(c)?]))
 }
@@ -143,11 +148,11 @@ fn evaluate(formulas: &[Formula; 3], lambda: f64) -> Curve3 {
 }
 
 impl PositionCurve {
-    fn new(table: &PositionTable, begin: f64, end: f64) -> Result<Self, LabError> {
+    pub(crate) fn new(table: &PositionTable, begin: f64, end: f64, key: &str) -> Result<Self, LabError> {
         Ok(match table {
             PositionTable::Helix { start, radius, climb } => {
                 if !(radius.0 > 0.0) {
-                    return Err(LabError::value("path.position.helix.radius", Fault::NotPositive(radius.0)));
+                    return Err(LabError::value(format!("{key}.helix.radius"), Fault::NotPositive(radius.0)));
                 }
                 Self::Helix { start: vector(start), radius: radius.0, climb: climb.0 }
             }
@@ -156,15 +161,15 @@ impl PositionCurve {
                 Self::Line { from, rate: (to - from) / (end - begin), begin }
             }
             PositionTable::Formula { x, y, z } => Self::Formula(formulas([
-                ("path.position.formula.x", x),
-                ("path.position.formula.y", y),
-                ("path.position.formula.z", z),
+                (&format!("{key}.formula.x"), x),
+                (&format!("{key}.formula.y"), y),
+                (&format!("{key}.formula.z"), z),
             ])?),
         })
     }
 
     /// `[G11] eq 25` for the helix: radius `radius`, starting at `start` in the direction of +y, `climb` m per rad along z.
-    fn at(&self, lambda: f64) -> Curve3 {
+    pub(crate) fn at(&self, lambda: f64) -> Curve3 {
         match self {
             Self::Helix { start, radius, climb } => {
                 let (s, c) = lambda.sin_cos();

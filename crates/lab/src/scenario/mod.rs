@@ -27,11 +27,31 @@ pub struct BuiltIn {
     pub text: &'static str,
 }
 
+/// What a scenario file describes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScenarioKind {
+    /// A robot whose speed along a path is regulated.
+    Speed,
+    /// A reference that is kept inside constraints.
+    Conditioning,
+}
+
+/// The kind of a scenario's text: a file with constraints is about conditioning.
+#[must_use]
+pub fn scenario_kind(text: &str) -> ScenarioKind {
+    let has = |key: &str| DeTable::parse(text).is_ok_and(|document| document.get_ref().contains_key(key));
+    if has("constraint") || has("reference") { ScenarioKind::Conditioning } else { ScenarioKind::Speed }
+}
+
 /// The built-in scenarios, tutorial first.
-pub const BUILT_IN: [BuiltIn; 3] = [
+pub const BUILT_IN: [BuiltIn; 7] = [
     BuiltIn { name: "puma-helix", text: include_str!("../../scenarios/puma-helix.toml") },
     BuiltIn { name: "puma-helix-on-path", text: include_str!("../../scenarios/puma-helix-on-path.toml") },
     BuiltIn { name: "puma-wrist-singularity", text: include_str!("../../scenarios/puma-wrist-singularity.toml") },
+    BuiltIn { name: "helix-plane-sphere", text: include_str!("../../scenarios/helix-plane-sphere.toml") },
+    BuiltIn { name: "trap-ellipsoid", text: include_str!("../../scenarios/trap-ellipsoid.toml") },
+    BuiltIn { name: "trap-two-ellipsoids", text: include_str!("../../scenarios/trap-two-ellipsoids.toml") },
+    BuiltIn { name: "trap-booth-oval", text: include_str!("../../scenarios/trap-booth-oval.toml") },
 ];
 
 /// The commented template that `slideway init` writes.

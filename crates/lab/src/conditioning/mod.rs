@@ -1,0 +1,18 @@
+//! Path conditioning: a reference, constraints, and every method that bends the one around the other.
+
+mod constraint;
+mod expression;
+mod metrics;
+mod problem;
+mod run;
+mod scenario;
+mod schema;
+mod trace;
+
+pub use constraint::{NamedConstraint, Shape3};
+pub use expression::ExpressionConstraint;
+pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
+pub use problem::{ConditioningProblem, MarginChoice, Reference};
+pub use run::run_conditioner;
+pub use scenario::ConditioningScenario;
+pub use trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};

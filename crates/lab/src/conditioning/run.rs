@@ -1,0 +1,142 @@
+use super::problem::{ConditioningProblem, MarginChoice};
+use super::trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};
+use crate::error::LabError;
+use slideway_conditioner::PathConditioner;
+use slideway_conditioner::path::{
+    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathStep, Reserve, TrapPhase,
+    Walk,
+};
+
+/// Samples after which a run is given up.
+const MAX_SAMPLES: usize = 5_000_000;
+
+/// Runs one of the conditioner's forms.
+///
+/// # Errors
+///
+/// Parameters that the conditioner refuses.
+pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
+    match problem.constraints.len() {
+        1 => run::<1>(problem, method),
+        2 => run::<2>(problem, method),
+        3 => run::<3>(problem, method),
+        4 => run::<4>(problem, method),
+        5 => run::<5>(problem, method),
+        6 => run::<6>(problem, method),
+        7 => run::<7>(problem, method),
+        _ => run::<8>(problem, method),
+    }
+}
+
+impl ConditioningProblem {
+    /// Evaluates the first `M` constraints at a motion.
+    #[must_use]
+    pub fn sample<const M: usize>(&self, motion: &Motion<3>) -> [ConstraintSample<3>; M] {
+        std::array::from_fn(|i| self.constraints[i].sample(motion))
+    }
+
+    /// Approach times of the first `M` constraints, s.
+    #[must_use]
+    pub fn approach<const M: usize>(&self) -> [f64; M] {
+        std::array::from_fn(|i| self.constraints[i].approach)
+    }
+
+    fn settings<const M: usize>(&self, method: PathMethod) -> PathSettings<M> {
+        let form = match method {
+            PathMethod::SlidingModePaper => PathForm::Appendix { law: self.law },
+            PathMethod::SlidingModeImplicit => PathForm::Implicit { recovery_rate: self.recovery_rate },
+            _ => PathForm::Sliding { law: self.law, reserve: self.reserve },
+        };
+        let explicit = matches!(form, PathForm::Sliding { reserve: Reserve::On { .. }, .. });
+        let margin = match &self.margin {
+            MarginChoice::None => Margin::None,
+            MarginChoice::Band if method == PathMethod::SlidingMode => Margin::Band,
+            MarginChoice::Band => Margin::None,
+            MarginChoice::Fixed(margins) => Margin::Fixed(std::array::from_fn(|i| margins[i])),
+        };
+        // The safe walk needs the explicit form's reserve; the other forms walk as published.
+        let trap = self.trap.map(|trap| {
+            if explicit { trap } else { slideway_conditioner::path::TrapSettings { walk: Walk::Paper, ..trap } }
+        });
+        PathSettings {
+            sampling_period: self.sampling_period,
+            push_cutoff: self.push_cutoff,
+            approach: self.approach(),
+            margin,
+            form,
+            trap,
+        }
+    }
+}
+
+#[allow(clippy::cast_precision_loss)]
+fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
+    let conditioner = PathConditioner::<3, M>::new(problem.settings(method))
+        .map_err(|error| LabError::value("conditioner", error))?;
+    let mut state = conditioner.on_reference();
+    let mut trace = ConditionedTrace {
+        method,
+        constraints: problem.constraints.iter().map(|c| c.name.clone()).collect(),
+        sampling_period: problem.sampling_period,
+        finish_s: None,
+        samples: Vec::new(),
+    };
+    let mut clock = 0.0;
+    let duration = problem.reference.duration();
+    while trace.samples.len() < MAX_SAMPLES {
+        let t = trace.samples.len() as f64 * problem.sampling_period;
+        if t > problem.reference.max_duration() {
+            break;
+        }
+        let reference = problem.reference.at(t, clock, state.pace());
+        let step = conditioner.step(&mut state, &reference, |motion| problem.sample(motion));
+        trace.samples.push(sample(problem, clock, &reference, &step));
+        // Half a nanosecond covers the rounding of the summed sampling periods.
+        if clock + 5e-10 >= duration {
+            trace.finish_s = Some(t);
+            break;
+        }
+        clock = (clock + step.advance).min(duration);
+    }
+    Ok(trace)
+}
+
+fn sample<const M: usize>(
+    problem: &ConditioningProblem,
+    clock: f64,
+    reference: &Motion<3>,
+    step: &PathStep<3, M>,
+) -> ConditionedSample {
+    let gradient = problem.sample::<M>(&step.motion).map(|s| s.gradient.iter().map(|g| g * g).sum::<f64>().sqrt());
+    ConditionedSample {
+        t: reference.time,
+        lambda: problem.reference.lambda(clock),
+        reference: reference.position,
+        position: step.motion.position,
+        sigma: pad(&step.sigma),
+        phi: pad(&step.phi),
+        share: pad(&step.share),
+        gradient: pad(&gradient),
+        push: step.push,
+        walk: step.walk,
+        phase: phase(step.outcome, step.trap),
+    }
+}
+
+fn phase(outcome: PathOutcome, trap: TrapPhase) -> Phase {
+    match (outcome, trap) {
+        (PathOutcome::Held(_), _) => Phase::Held,
+        (_, TrapPhase::Walking | TrapPhase::Returning | TrapPhase::Blocked) => Phase::Trapped,
+        (PathOutcome::Reserve, _) => Phase::Reserve,
+        (PathOutcome::Acting, _) => Phase::Acting,
+        (PathOutcome::Free, _) => Phase::Free,
+    }
+}
+
+fn pad<const M: usize>(values: &[f64; M]) -> [f64; MAX_CONSTRAINTS] {
+    let mut padded = [0.0; MAX_CONSTRAINTS];
+    for (slot, value) in padded.iter_mut().zip(values) {
+        *slot = *value;
+    }
+    padded
+}
