@@ -3,5 +3,6 @@
 pub mod outward;
 pub mod potential_field;
 pub mod projection;
+pub mod rivals;
 pub mod safety_filter;
 pub mod time_optimal;

@@ -3,11 +3,13 @@
 //! - [`convex`]: intersections of half-spaces, balls, ellipsoids and cylinders, by Clarabel on second-order cones, with a
 //!   lower bound computed from the repaired multipliers;
 //! - [`beside_ball`] and [`outside_ellipsoid`]: non-convex sets with a closed form that is optimal globally;
-//! - [`branch_and_bound`]: any constraints in three dimensions, with a certified gap.
+//! - [`branch_and_bound`]: any constraints in three dimensions, with a certified gap;
+//! - [`multi_start`]: any constraints, quickly, locally optimal.
 
 pub mod beside_ball;
 pub mod branch_and_bound;
 pub mod convex;
+pub mod multi_start;
 pub mod outside_ellipsoid;
 
 /// A projection and the bracket that certifies it.

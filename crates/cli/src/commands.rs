@@ -1,7 +1,8 @@
 use crate::args::{Arguments, Command};
 use crate::compare;
 use crate::diagnostic::CliError;
-use slideway_lab::{BUILT_IN, Scenario, TEMPLATE};
+use slideway_lab::conditioning::ConditioningScenario;
+use slideway_lab::{BUILT_IN, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use std::io::Write as _;
 use std::path::Path;
 
@@ -41,7 +42,7 @@ pub(crate) fn print(text: &str) {
 fn list() -> Outcome {
     let width = BUILT_IN.iter().map(|b| b.name.len()).max().unwrap_or(0);
     let line = |b: &slideway_lab::BuiltIn| {
-        let description = Scenario::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default();
+        let description = Loaded::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default();
         format!("{:width$}  {description}\n", b.name)
     };
     print(&BUILT_IN.iter().map(line).collect::<String>());
@@ -68,18 +69,54 @@ fn init(file: &Path) -> Result<Outcome, CliError> {
     Ok(Outcome::Holds)
 }
 
-/// A built-in scenario by name, else a file.
-pub(crate) fn load(name: &str) -> Result<Scenario, CliError> {
-    if let Some(scenario) = Scenario::built_in(name) {
-        return scenario.map_err(|error| scenario_error(error, name, None));
+/// A scenario of either kind.
+#[derive(Debug)]
+pub(crate) enum Loaded {
+    Speed(Box<Scenario>),
+    Conditioning(Box<ConditioningScenario>),
+}
+
+impl Loaded {
+    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, LabError> {
+        Ok(match scenario_kind(text) {
+            ScenarioKind::Speed => Self::Speed(Box::new(Scenario::parse(name, text)?)),
+            ScenarioKind::Conditioning => Self::Conditioning(Box::new(ConditioningScenario::parse(name, text)?)),
+        })
     }
+
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Speed(scenario) => scenario.name(),
+            Self::Conditioning(scenario) => scenario.name(),
+        }
+    }
+
+    pub(crate) fn description(&self) -> &str {
+        match self {
+            Self::Speed(scenario) => scenario.description(),
+            Self::Conditioning(scenario) => scenario.description(),
+        }
+    }
+}
+
+/// A built-in scenario by name, else a file.
+pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
+    let (stem, text) = match BUILT_IN.iter().find(|b| b.name == name) {
+        Some(built_in) => (name.to_owned(), built_in.text.to_owned()),
+        None => read(name)?,
+    };
+    Loaded::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))
+}
+
+/// The stem and the text of a scenario file.
+fn read(name: &str) -> Result<(String, String), CliError> {
     let path = Path::new(name);
     if !path.exists() {
         return Err(unknown(name));
     }
     let text = Scenario::read_text(path).map_err(|error| scenario_error(error, name, None))?;
     let stem = path.file_stem().map_or_else(|| "scenario".into(), |s| s.to_string_lossy().into_owned());
-    Scenario::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))
+    Ok((stem, text))
 }
 
 pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Option<String>) -> CliError {

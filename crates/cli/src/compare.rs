@@ -1,5 +1,6 @@
 use crate::args::CompareArguments;
-use crate::commands::{Outcome, load, print, scenario_error};
+use crate::commands::{Loaded, Outcome, load, print, scenario_error};
+use crate::compare_path::compare_conditioning;
 use crate::diagnostic::CliError;
 use crate::summary::{MethodEntry, OptimumEntry, Summary};
 use crate::verdict::Verdict;
@@ -15,35 +16,42 @@ use std::path::{Path, PathBuf};
 const BETWEEN: usize = 7;
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
-    let scenario = load(&arguments.scenario)?;
     if let Some(value) = arguments.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
         let remedy = "give a fraction of the optimum, for example 0.02";
         return Err(CliError::Option { option: "tolerance", value, remedy });
     }
+    let loaded = load(&arguments.scenario)?;
+    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(loaded.name()));
+    match loaded {
+        Loaded::Speed(scenario) => compare_speed(arguments, &scenario, &out),
+        Loaded::Conditioning(scenario) => compare_conditioning(arguments, &scenario, &out),
+    }
+}
+
+fn compare_speed(arguments: &CompareArguments, scenario: &Scenario, out: &Path) -> Result<Outcome, CliError> {
     let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
     let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
-    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(scenario.name()));
-    let progress = progress();
+    let progress = progress(Method::ALL.len() as u64 + 2);
 
     progress.set_message("tracing the joint path");
-    let experiment = Experiment::new(&scenario).map_err(pointed)?;
+    let experiment = Experiment::new(scenario).map_err(pointed)?;
     let traces = run_methods(&experiment, &progress).map_err(pointed)?;
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
     let optimum = time_optimum(&path)?;
-    let summary = summarise(&scenario, &experiment.control(), &traces, &path, &finer, &optimum, tolerance)?;
+    let summary = summarise(scenario, &experiment.control(), &traces, &path, &finer, &optimum, tolerance)?;
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
-    write(&out, &scenario, &experiment, &traces, &path, &optimum, &summary)?;
+    write(out, scenario, &experiment, &traces, &path, &optimum, &summary)?;
     progress.finish_and_clear();
-    show(arguments, &summary, &out)?;
+    show(arguments.json, &summary, &table::render(&summary), out)?;
     Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
 }
 
-fn progress() -> ProgressBar {
-    let bar = ProgressBar::new(Method::ALL.len() as u64 + 2);
+pub(crate) fn progress(steps: u64) -> ProgressBar {
+    let bar = ProgressBar::new(steps);
     if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {msg}") {
         bar.set_style(style);
     }
@@ -95,7 +103,10 @@ fn summarise(
 }
 
 /// Creates a file with what `fill` writes into it.
-fn create(path: PathBuf, fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>) -> Result<(), CliError> {
+pub(crate) fn create(
+    path: PathBuf,
+    fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
+) -> Result<(), CliError> {
     let result = fs::File::create(&path).and_then(|file| {
         let mut out = std::io::BufWriter::new(file);
         fill(&mut out)?;
@@ -132,7 +143,7 @@ fn write(
         bound: summary.limit_ratio_bound,
     };
     let figures = draw_speed_study(&study, &figures_dir)?;
-    create(out.join("report.html"), |file| file.write_all(report::render(summary, scenario, &figures).as_bytes()))
+    create(out.join("report.html"), |file| file.write_all(report::render_speed(summary, scenario, &figures).as_bytes()))
 }
 
 /// The optimum's profile as the figures want it: path rate over path parameter and over time.
@@ -149,13 +160,14 @@ fn curve(optimum: &TimeOptimum) -> Optimum {
     curve
 }
 
-fn show(arguments: &CompareArguments, summary: &Summary, out: &Path) -> Result<(), CliError> {
-    if arguments.json {
+/// Prints the summary as JSON or the table, and where the report is.
+pub(crate) fn show(json: bool, summary: &impl serde::Serialize, table: &str, out: &Path) -> Result<(), CliError> {
+    if json {
         let text = serde_json::to_string_pretty(summary)
             .map_err(|error| CliError::Write { path: out.join("summary.json"), source: error.into() })?;
         print(&(text + "\n"));
     } else {
-        print(&format!("{}\nwrote {}\n", table::render(summary), out.join("report.html").display()));
+        print(&format!("{table}\nwrote {}\n", out.join("report.html").display()));
     }
     Ok(())
 }

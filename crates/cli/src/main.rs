@@ -5,7 +5,10 @@
 mod args;
 mod commands;
 mod compare;
+mod compare_path;
 mod diagnostic;
+mod path_report;
+mod path_summary;
 mod report;
 mod summary;
 mod table;

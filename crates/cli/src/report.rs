@@ -6,24 +6,52 @@ use slideway_lab::Scenario;
 /// Styles of the report: readable on a phone, in light and in dark.
 const STYLE: &str = include_str!("report.css");
 
-/// The report as one file that opens from disk without a network.
-pub(crate) fn render(summary: &Summary, scenario: &Scenario, figures: &[Rendered]) -> String {
-    let title = escape(&summary.scenario);
-    let figures: String = figures.iter().map(figure).collect();
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} - slideway</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p>{}</p>\n\
-         <p class=\"verdict {}\">{}</p>\n{}\n{}\n{figures}\n\
-         <details><summary>The scenario file</summary><pre>{}</pre></details>\n</main>\n</body>\n</html>\n",
-        escape(&summary.description),
-        if summary.verdict.holds { "holds" } else { "fails" },
-        escape(&summary.verdict.sentence),
-        methods(&summary.methods),
-        optimum(summary),
-        escape(scenario.text()),
-    )
+/// What every report has, whatever was compared.
+pub(crate) struct Page<'a> {
+    pub(crate) title: &'a str,
+    pub(crate) description: &'a str,
+    pub(crate) holds: bool,
+    pub(crate) verdict: &'a str,
+    /// Tables, as HTML.
+    pub(crate) body: String,
+    pub(crate) figures: &'a [Rendered],
+    /// Text of the scenario file.
+    pub(crate) scenario: &'a str,
+}
+
+impl Page<'_> {
+    /// The report as one file that opens from disk without a network.
+    pub(crate) fn render(&self) -> String {
+        let title = escape(self.title);
+        let figures: String = self.figures.iter().map(figure).collect();
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} - slideway</title>\n\
+             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p>{}</p>\n\
+             <p class=\"verdict {}\">{}</p>\n{}\n{figures}\n\
+             <details><summary>The scenario file</summary><pre>{}</pre></details>\n</main>\n</body>\n</html>\n",
+            escape(self.description),
+            if self.holds { "holds" } else { "fails" },
+            escape(self.verdict),
+            self.body,
+            escape(self.scenario),
+        )
+    }
+}
+
+/// The report of a comparison of speed laws.
+pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Rendered]) -> String {
+    let page = Page {
+        title: &summary.scenario,
+        description: &summary.description,
+        holds: summary.verdict.holds,
+        verdict: &summary.verdict.sentence,
+        body: methods(&summary.methods) + &optimum(summary),
+        figures,
+        scenario: scenario.text(),
+    };
+    page.render()
 }
 
 fn methods(entries: &[MethodEntry]) -> String {
@@ -103,6 +131,6 @@ fn figure(figure: &Rendered) -> String {
     format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(&figure.caption))
 }
 
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -139,8 +139,8 @@ impl ConditioningProblem {
             },
             recovery_rate: conditioner.recovery_rate.map_or(Ok(1.0), |r| positive("conditioner.recovery_rate", r))?,
             trap: file.trap.as_ref().map(trap),
-            attraction: field.attraction.map_or(Ok(10.0), |v| positive("potential_field.attraction", v))?,
-            repulsion: field.repulsion.map_or(Ok(1e-5), |v| positive("potential_field.repulsion", v))?,
+            attraction: field.attraction.map_or(Ok(20.0), |v| positive("potential_field.attraction", v))?,
+            repulsion: field.repulsion.map_or(Ok(5e-6), |v| positive("potential_field.repulsion", v))?,
             influence: field.influence.map_or(Ok(0.1), |v| positive("potential_field.influence", v))?,
         };
         problem.check_gradients()?;

@@ -1,0 +1,89 @@
+use crate::args::CompareArguments;
+use crate::commands::{Outcome, scenario_error};
+use crate::compare::{create, progress, show};
+use crate::diagnostic::CliError;
+use crate::path_report;
+use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
+use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
+use slideway_lab::LabError;
+use slideway_lab::conditioning::{
+    ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner,
+};
+use std::fs;
+use std::path::Path;
+
+/// Runs every method on a path-conditioning scenario.
+pub(crate) fn compare_conditioning(
+    arguments: &CompareArguments,
+    scenario: &ConditioningScenario,
+    out: &Path,
+) -> Result<Outcome, CliError> {
+    let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
+    let progress = progress(PathMethod::ALL.len() as u64 + 1);
+    let problem = scenario.problem().map_err(pointed)?;
+    let mut traces = Vec::new();
+    for method in [PathMethod::SlidingMode, PathMethod::SlidingModePaper, PathMethod::SlidingModeImplicit] {
+        progress.set_message(method.name());
+        traces.push(run_conditioner(&problem, method).map_err(pointed)?);
+        progress.inc(1);
+    }
+    progress.set_message(PathMethod::QpFilter.name());
+    traces.push(qp_filter_trace(&problem));
+    progress.inc(1);
+    progress.set_message(PathMethod::Projection.name());
+    // A set that is empty somewhere has no projection; the other methods are compared all the same.
+    let projected = projection_trace(&problem).ok();
+    traces.extend(projected.as_ref().map(|p| p.trace.clone()));
+    progress.inc(1);
+    progress.set_message(PathMethod::PotentialField.name());
+    traces.push(potential_field_trace(&problem));
+    progress.inc(1);
+
+    let tolerance = arguments.tolerance.or(scenario.tolerance());
+    let summary = summarise(scenario, &problem, &traces, projected.as_ref(), tolerance);
+    progress.set_message("writing traces and figures");
+    write(out, scenario, &problem, &traces, &summary)?;
+    progress.finish_and_clear();
+    show(arguments.json, &summary, &path_report::table(&summary), out)?;
+    Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
+}
+
+fn summarise(
+    scenario: &ConditioningScenario,
+    problem: &ConditioningProblem,
+    traces: &[ConditionedTrace],
+    projected: Option<&ProjectedTrace>,
+    tolerance: Option<f64>,
+) -> PathSummary {
+    let qp = traces.iter().find(|t| t.method == PathMethod::QpFilter);
+    let projection = projected.map(|p| &p.trace);
+    let methods: Vec<PathMethodSummary> =
+        traces.iter().map(|trace| PathMethodSummary::new(problem, trace, projection, qp)).collect();
+    let constraints: Vec<String> = problem.constraints.iter().map(|c| c.name.clone()).collect();
+    PathSummary {
+        scenario: scenario.name().to_owned(),
+        description: scenario.description().to_owned(),
+        verdict: PathVerdict::new(&methods, &constraints, tolerance),
+        constraints,
+        methods,
+        projection: projected.map(ProjectionEntry::new),
+    }
+}
+
+fn write(
+    out: &Path,
+    scenario: &ConditioningScenario,
+    _problem: &ConditioningProblem,
+    traces: &[ConditionedTrace],
+    summary: &PathSummary,
+) -> Result<(), CliError> {
+    let figures_dir = out.join("figures");
+    fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
+    for trace in traces {
+        create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
+    }
+    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
+    let figures = [];
+    let page = path_report::render(summary, scenario, &figures);
+    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
+}
