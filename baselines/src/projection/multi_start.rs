@@ -12,6 +12,15 @@ const ROUNDS: usize = 100;
 /// A constraint counts as kept up to this, in units of `σ`.
 const KEPT: f64 = 1e-9;
 
+/// How many descents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// From the last projection and from the reference: follows a local optimum along a path.
+    Follow,
+    /// Also from points around the reference, near and far.
+    Many,
+}
+
 /// The nearest allowed point to a reference that descents find from `last` and from points around the reference.
 ///
 /// Where a descent comes to rest the point is stationary. `lower_bound` is the distance less the last step it wanted: it says
@@ -24,6 +33,7 @@ pub fn nearest<C: Constraint<3>>(
     constraints: &[C],
     reference: &Motion<3>,
     last: Option<[f64; 3]>,
+    effort: Effort,
 ) -> Result<Projection<3>, ProjectionError> {
     if !reference.is_finite() {
         return Err(ProjectionError::NotFinite);
@@ -33,7 +43,8 @@ pub fn nearest<C: Constraint<3>>(
         return Ok(Projection { point: *p, distance: 0.0, lower_bound: 0.0, violation: 0.0 });
     }
     let mut best: Option<(f64, [f64; 3], f64)> = None;
-    for start in starts(p, last) {
+    let many = effort == Effort::Many || last.is_none();
+    for start in starts(p, last).into_iter().take(if many { usize::MAX } else { 2 }) {
         let Some((point, step)) = descend(constraints, reference, start) else { continue };
         let found = distance(p, &point);
         if best.is_none_or(|(nearest, ..)| found < nearest) {

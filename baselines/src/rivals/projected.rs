@@ -1,7 +1,7 @@
 use super::{Placed, empty, instants, sample, share_deviation};
 use crate::projection::beside_ball::BesideBall;
 use crate::projection::convex::{self, ConvexSet};
-use crate::projection::multi_start::nearest;
+use crate::projection::multi_start::{Effort, nearest};
 use crate::projection::outside_ellipsoid::OutsideEllipsoid;
 use crate::projection::{Projection, ProjectionError};
 use slideway_conditioner::path::Motion;
@@ -43,6 +43,9 @@ pub struct ProjectedTrace {
     pub worst_gap: f64,
 }
 
+/// Samples after which a followed local optimum is compared with others again.
+const LOOK_AROUND: usize = 50;
+
 /// The set that a scenario's constraints describe, as far as a closed form or a convex program knows it.
 enum Set<'a> {
     BesideBall(BesideBall),
@@ -61,8 +64,9 @@ pub fn projection_trace(problem: &ConditioningProblem) -> Result<ProjectedTrace,
     let mut projected =
         ProjectedTrace { trace: empty(problem, PathMethod::Projection), kind: set.kind(), worst_gap: 0.0 };
     let mut last = None;
-    for reference in instants(problem) {
-        let found = set.project(&reference, last)?;
+    for (k, reference) in instants(problem).enumerate() {
+        let effort = if k % LOOK_AROUND == 0 { Effort::Many } else { Effort::Follow };
+        let found = set.project(&reference, last, effort)?;
         last = Some(found.point);
         projected.worst_gap = projected.worst_gap.max(found.distance - found.lower_bound);
         let motion = Motion { position: found.point, ..reference };
@@ -105,7 +109,12 @@ impl<'a> Set<'a> {
         }
     }
 
-    fn project(&self, reference: &Motion<3>, last: Option<[f64; 3]>) -> Result<Projection<3>, ProjectionError> {
+    fn project(
+        &self,
+        reference: &Motion<3>,
+        last: Option<[f64; 3]>,
+        effort: Effort,
+    ) -> Result<Projection<3>, ProjectionError> {
         match self {
             Self::BesideBall(set) => set.project(&reference.position),
             Self::OutsideEllipsoid(set) => set.project(&reference.position),
@@ -113,7 +122,9 @@ impl<'a> Set<'a> {
                 Ok(Projection { point: reference.position, distance: 0.0, lower_bound: 0.0, violation: 0.0 })
             }
             Self::Convex(sets) => convex::project(&reference.position, sets),
-            Self::General(problem) => nearest(&problem.constraints, reference, last),
+            Self::General(problem) => nearest(&problem.constraints, reference, last, effort)
+                // A local optimum that ends is no reason to give up.
+                .or_else(|_| nearest(&problem.constraints, reference, last, Effort::Many)),
         }
     }
 }

@@ -11,7 +11,10 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Run every speed law on a scenario and put it beside the certified time optimum.
+    /// Run every method on a scenario and put it beside the offline optimum.
+    ///
+    /// Speed scenarios: every speed law beside the certified time optimum. Conditioning scenarios: the conditioner beside the
+    /// exact projection, the QP safety filter and the potential field.
     ///
     /// Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
     Compare(CompareArguments),
@@ -26,7 +29,19 @@ pub(crate) enum Command {
     Init {
         /// The file to write; it must not exist yet.
         file: PathBuf,
+        /// What the scenario is about.
+        #[arg(long, value_enum, default_value_t = Kind::Speed)]
+        kind: Kind,
     },
+}
+
+/// Kinds of scenario.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Kind {
+    /// A robot whose speed along a path is regulated.
+    Speed,
+    /// A reference that is kept inside constraints.
+    Conditioning,
 }
 
 #[derive(Debug, clap::Args)]

@@ -1,8 +1,8 @@
-use crate::args::{Arguments, Command};
+use crate::args::{Arguments, Command, Kind};
 use crate::compare;
 use crate::diagnostic::CliError;
 use slideway_lab::conditioning::ConditioningScenario;
-use slideway_lab::{BUILT_IN, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
+use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use std::io::Write as _;
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
-        Command::Init { file } => init(&file),
+        Command::Init { file, kind } => init(&file, kind),
     }
 }
 
@@ -55,7 +55,11 @@ fn show(name: &str) -> Result<Outcome, CliError> {
     Ok(Outcome::Holds)
 }
 
-fn init(file: &Path) -> Result<Outcome, CliError> {
+fn init(file: &Path, kind: Kind) -> Result<Outcome, CliError> {
+    let template = match kind {
+        Kind::Speed => TEMPLATE,
+        Kind::Conditioning => CONDITIONING_TEMPLATE,
+    };
     let write = |source: std::io::Error| CliError::Write { path: file.to_owned(), source };
     let opened = std::fs::File::create_new(file);
     let mut out = match opened {
@@ -64,7 +68,7 @@ fn init(file: &Path) -> Result<Outcome, CliError> {
         }
         opened => opened.map_err(write)?,
     };
-    out.write_all(TEMPLATE.as_bytes()).map_err(write)?;
+    out.write_all(template.as_bytes()).map_err(write)?;
     print(&format!("wrote {0}; run it with `slideway compare {0}`\n", file.display()));
     Ok(Outcome::Holds)
 }

@@ -35,5 +35,5 @@ pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSumma
 pub use path::{CartesianPath, PathPoint};
 pub use problem::{ControlSettings, FixedSpeed, Integration, MAX_JOINTS, Problem};
 pub use sampled::{PathSample, SampledPath, SampledPiece};
-pub use scenario::{BUILT_IN, BuiltIn, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind};
+pub use scenario::{BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind};
 pub use trace::{Chatter, Sample, Trace};

@@ -60,6 +60,9 @@ pub const TEMPLATE: &str = include_str!("../../scenarios/template.toml");
 /// Grid points that make sense: below, nothing is resolved; above, the solver needs minutes.
 const GRID_POINTS: std::ops::RangeInclusive<usize> = 10..=100_000;
 
+/// The commented template of a path-conditioning scenario.
+pub const CONDITIONING_TEMPLATE: &str = include_str!("../../scenarios/template-conditioning.toml");
+
 impl Scenario {
     /// A built-in scenario, if there is one of that name.
     #[must_use]
