@@ -102,11 +102,14 @@ impl Comparison<'_> {
         } else {
             format!("No: the sliding mode needs {travel:.4} s")
         };
+        let apart = match difference {
+            d if d >= 100.0 => format!("{ratio:.1} times as long"),
+            d if d >= 0.0 => format!("{d:.2} % slower"),
+            d => format!("{:.2} % less", -d),
+        };
         text += &format!(
-            " where the certified optimum, knowing the whole path, is {:.4} s: {:.2} % {} (tolerance {} %).",
+            " where the certified optimum, knowing the whole path, is {:.4} s: {apart} (tolerance {} %).",
             optimum.duration_s,
-            difference.abs(),
-            if difference >= 0.0 { "slower" } else { "less" },
             100.0 * self.tolerance
         );
         if *ratio < 1.0 {
