@@ -1,11 +1,14 @@
-; phi >= -(G - Dmin)+ is kept by one sample, for drifts that are not negative: no counterexample.
-(declare-const phi Real) (declare-const next Real)
-(declare-const D Real) (declare-const Dmin Real) (declare-const G Real)
+; Claim path-band, lower end, inductive step: drifts that are not negative.
+(set-logic QF_NRA)
+(declare-const phi Real)
+(declare-const D Real)
+(declare-const Dmin Real) ; smallest drift
+(declare-const G Real)
+(define-fun next () Real (+ phi D (ite (>= phi 0.0) (- G) 0.0)))
 (define-fun lower () Real (ite (>= G Dmin) (- Dmin G) 0.0))
-(assert (>= D Dmin))
-(assert (>= Dmin 0.0))
-(assert (> G 0.0))
-(assert (>= phi lower))
-(assert (= next (+ phi D (ite (>= phi 0.0) (- G) 0.0))))
-(assert (< next lower))
+(assert (<= Dmin D))
+(assert (<= 0.0 Dmin))
+(assert (< 0.0 G))
+(assert (<= lower phi))
+(assert (not (<= lower next)))
 (check-sat)

@@ -1,7 +1,11 @@
-; A convex combination of two numbers that are at most m is at most m: no counterexample.
-(declare-const e Real) (declare-const sigma Real) (declare-const mean Real) (declare-const m Real)
-(assert (and (> e 0.0) (< e 1.0)))
-(assert (<= sigma m))
-(assert (<= mean m))
-(assert (> (+ (* e sigma) (* (- 1.0 e) mean)) m))
+; Claim path-lag, inductive step: a convex combination of two numbers that are at most m.
+(set-logic QF_NRA)
+(declare-const e Real) ; exp(-T / K)
+(declare-const sigma Real)
+(declare-const mean Real) ; of phi over the interval, weighted by the lag
+(declare-const m Real) ; largest phi so far, or sigma at the start
+(define-fun next () Real (+ (* e sigma) (* (- 1.0 e) mean)))
+(assert (and (<= sigma m) (<= mean m)))
+(assert (and (< 0.0 e) (< e 1.0)))
+(assert (not (<= next m)))
 (check-sat)
