@@ -34,13 +34,20 @@ pub(crate) trait Meter {
     fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl FnOnce() -> S);
 }
 
-/// Every step, method by method.
+/// Every step, method by method. The constraints are written out, as a caller would.
 pub(crate) fn measure_all(meter: &mut impl Meter) {
-    with_constraints::<1>(meter);
-    with_constraints::<2>(meter);
-    with_constraints::<4>(meter);
-    with_constraints::<8>(meter);
-    walks(meter);
+    with_constraints(meter, |[a], m| [a.sample(m)]);
+    with_constraints(meter, |[a, b], m| [a.sample(m), b.sample(m)]);
+    with_constraints(meter, |[a, b, c, d], m| [a.sample(m), b.sample(m), c.sample(m), d.sample(m)]);
+    with_constraints(meter, |[a, b, c, d, e, f, g, h], m| {
+        [a.sample(m), b.sample(m), c.sample(m), d.sample(m), e.sample(m), f.sample(m), g.sample(m), h.sample(m)]
+    });
+    walk(meter, |[a], m| [a.sample(m)]);
+    walk(meter, |[a, b], m| [a.sample(m), b.sample(m)]);
+    walk(meter, |[a, b, c, d], m| [a.sample(m), b.sample(m), c.sample(m), d.sample(m)]);
+    walk(meter, |[a, b, c, d, e, f, g, h], m| {
+        [a.sample(m), b.sample(m), c.sample(m), d.sample(m), e.sample(m), f.sample(m), g.sample(m), h.sample(m)]
+    });
 }
 
 fn settings<const M: usize>(form: PathForm, trap: Option<TrapSettings>) -> PathSettings<M> {
@@ -62,12 +69,10 @@ fn balls<const M: usize>() -> [Ball<3>; M] {
     })
 }
 
-#[inline(always)]
-fn sample<const M: usize>(balls: &[Ball<3>; M], motion: &Motion<3>) -> [ConstraintSample<3>; M] {
-    std::array::from_fn(|i| balls[i].sample(motion))
-}
-
-fn with_constraints<const M: usize>(meter: &mut impl Meter) {
+fn with_constraints<const M: usize>(
+    meter: &mut impl Meter,
+    sample: impl Fn(&[Ball<3>; M], &Motion<3>) -> [ConstraintSample<3>; M] + Copy,
+) {
     let reserve = Reserve::On { recovery_rate: 1.0 };
     for (name, form) in [
         ("explicit", PathForm::Sliding { law: LAW, reserve: Reserve::Off }),
@@ -90,12 +95,15 @@ fn with_constraints<const M: usize>(meter: &mut impl Meter) {
             }
         });
     }
-    meter.measure(&format!("qp-active-set/{M}"), || filter::<M, _>(DualActiveSet));
-    meter.measure(&format!("qp-clarabel/{M}"), || filter::<M, _>(ConicPush::new()));
+    meter.measure(&format!("qp-active-set/{M}"), || filter(DualActiveSet, sample));
+    meter.measure(&format!("qp-clarabel/{M}"), || filter(ConicPush::new(), sample));
 }
 
 /// The filter has no start of its own: its reference comes in from outside the balls.
-fn filter<const M: usize, S: SmallestPush>(solver: S) -> impl FnMut() {
+fn filter<const M: usize, S: SmallestPush>(
+    solver: S,
+    sample: impl Fn(&[Ball<3>; M], &Motion<3>) -> [ConstraintSample<3>; M] + Copy,
+) -> impl FnMut() {
     let balls = balls::<M>();
     let settings = FilterSettings { period: PERIOD, cutoff: CUTOFF, approach: [APPROACH; M], rounds: 1 };
     let mut filter = QpFilter::<3, M, S>::new(settings, solver);
@@ -126,14 +134,10 @@ fn trap(walk: Walk) -> TrapSettings {
     }
 }
 
-fn walks(meter: &mut impl Meter) {
-    walk::<1>(meter);
-    walk::<2>(meter);
-    walk::<4>(meter);
-    walk::<8>(meter);
-}
-
-fn walk<const M: usize>(meter: &mut impl Meter) {
+fn walk<const M: usize>(
+    meter: &mut impl Meter,
+    sample: impl Fn(&[Ellipsoid<3>; M], &Motion<3>) -> [ConstraintSample<3>; M] + Copy,
+) {
     for (name, walk, reserve) in [
         ("walk-paper", Walk::Paper, Reserve::Off),
         ("walk-safe", Walk::Safe { push_share: 0.4 }, Reserve::On { recovery_rate: 1.0 }),
@@ -154,9 +158,9 @@ fn walk<const M: usize>(meter: &mut impl Meter) {
                 if count == 0 {
                     state = start;
                 }
-                black_box(&conditioner.step(black_box(&mut state), black_box(&reference), |m| {
-                    std::array::from_fn(|i| black_box(&shapes)[i].sample(m))
-                }));
+                black_box(
+                    &conditioner.step(black_box(&mut state), black_box(&reference), |m| sample(black_box(&shapes), m)),
+                );
             }
         });
     }
