@@ -6,12 +6,13 @@
 //! 1. the negated inductive step has no model (`unsat`);
 //! 2. with the named hypothesis dropped it has one (`sat`), and that counterexample, replayed on the shipped code, is a
 //!    violation there as well. A proof whose hypotheses contradict each other would pass the first check and fail this;
-//! 3. over at least 10 000 random parameter sets that meet the hypotheses the shipped code keeps the claim, with a slack
-//!    for rounding that is derived where it is used.
+//! 3. over at least 10 000 random parameter sets that meet the hypotheses, or 2 000 where one set is a whole run of the path
+//!    conditioner, the shipped code keeps the claim, with a slack for rounding that is derived where it is used.
 //!
 //! The scripts over the reals (`QF_NRA`) say nothing about rounding; those over doubles (`QF_FP`) are exact to the bit.
 //! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`
-//! largest use of a limit. All of them have unit 1.
+//! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
+//! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
 
 pub mod chattering_band;
 mod claim;
@@ -28,8 +29,7 @@ pub mod path_equivalence;
 pub mod path_gain;
 pub mod path_implicit;
 pub mod path_lag;
-#[cfg(test)]
-mod smt;
+pub mod path_reserve;
 pub mod switching;
 pub mod z3;
 
@@ -46,4 +46,11 @@ pub const CLAIMS: &[Claim] = &[
     nan_brakes::CLAIM,
     implicit_band::CLAIM,
     command_within_limits::CLAIM,
+    path_band::CLAIM,
+    path_band_appendix::CLAIM,
+    path_lag::CLAIM,
+    path_gain::CLAIM,
+    path_equivalence::CLAIM,
+    path_implicit::CLAIM,
+    path_reserve::CLAIM,
 ];

@@ -1,45 +1,47 @@
-//! Claim `path-band`: on one constraint under zero-order hold or Euler's rule, with push `G` and drift
-//! `D_min <= D <= D̄ <= G` per sample, `φ <= D̄` and, once there, `φ >= -(G - D_min)⁺`.
+//! Claim `path-band`: how far `φ` leaves zero on one constraint in the explicit form.
+//!
+//! Hypotheses: zero-order hold or Euler's rule, full push `G` and drift `D_min <= D <= D̄` per sample (units of `σ`),
+//! `0 <= D̄ <= G`, `φ[0] <= D̄`; for the lower end `0 <= D_min` and `φ[0] >= -(G - D_min)⁺` as well.
 //!
 //! ```text
-//! φ⁺ = φ + D - G [φ >= 0]
+//! φ[k+1] = φ[k] + D[k] - G [φ[k] >= 0],     -(G - D_min)⁺ <= φ[k] <= D̄
 //! ```
 //!
-//! Induction: from `φ < 0` one drift leads to at most `D̄`; from `0 <= φ <= D̄` the push takes back at least the drift.
-//! From `φ >= 0` the fall is at most `G - D_min`; from below zero `φ` does not fall if `D >= 0`. With drifts of either sign
-//! the upper end stands, the lower one needs `D_min >= 0`. The paper's eq 22 gives the width `G` as an estimate for both.
+//! Source: `[G12] eq 22` gives the width `G` as an estimate for both ends.
+//!
+//! Derivation. From `φ < 0` one drift leads to at most `D̄`; from `0 <= φ <= D̄` the push takes back at least the drift.
+//! From `φ >= 0` the fall is at most `G - D_min`; from below zero `φ` does not fall if `D >= 0`. On a curved boundary `G`
+//! is different at every sample, and all that is used is `D[k] <= G[k]`. The function is
+//! [`slideway_conditioner::path::bounds::band`].
+//!
+//! Dropped hypotheses: `D̄ <= G`, and `0 <= D_min`.
 
-#[cfg(test)]
-mod tests {
-    use crate::smt::assert_proved;
-    use proptest::prelude::*;
-    use slideway_conditioner::path::bounds::band;
+use crate::claim::{Claim, Script, Twin, Verdict};
 
-    #[test]
-    fn the_upper_end_is_inductive() {
-        assert_proved(include_str!("../smt/path_band_upper.smt2"), include_str!("../smt/path_band_upper_sat.smt2"));
-    }
-
-    #[test]
-    fn the_lower_end_is_inductive() {
-        assert_proved(include_str!("../smt/path_band_lower.smt2"), include_str!("../smt/path_band_lower_sat.smt2"));
-    }
-
-    proptest! {
-        #[test]
-        fn no_sequence_of_drifts_leaves_the_band(
-            push in 0.1..2.0_f64,
-            drifts in prop::collection::vec(0.0..1.0_f64, 1..300),
-        ) {
-            let drift = |share: f64| share * push;
-            let largest = drifts.iter().map(|&s| drift(s)).fold(0.0, f64::max);
-            let band = band(push, 0.0, largest);
-            let mut phi = 0.0_f64;
-            for &share in &drifts {
-                phi += drift(share) - if phi >= 0.0 { push } else { 0.0 };
-                // 300 additions of numbers up to 2, each rounded to 2.2e-16.
-                prop_assert!(phi <= band.upper + 1e-13 && phi >= band.lower - 1e-13, "{phi} {band:?}");
-            }
-        }
-    }
-}
+/// The claim and its scripts.
+pub const CLAIM: Claim = Claim {
+    name: "path-band",
+    statement: "Explicit form, one constraint, drifts D_min <= D <= D̄ <= G per sample: φ <= D̄, and for D_min >= 0 also φ >= -(G - D_min)⁺.",
+    source: "[G12] eq 22",
+    verdict: Verdict::HoldsWithCorrection,
+    negations: &[
+        Script { file: "path-band.smt2", text: include_str!("../smt/path-band.smt2") },
+        Script { file: "path-band-lower.smt2", text: include_str!("../smt/path-band-lower.smt2") },
+    ],
+    twins: &[
+        Twin {
+            without: "push-beating-drift",
+            script: Script {
+                file: "path-band-without-push-beating-drift.smt2",
+                text: include_str!("../smt/path-band-without-push-beating-drift.smt2"),
+            },
+        },
+        Twin {
+            without: "rising-drift",
+            script: Script {
+                file: "path-band-without-rising-drift.smt2",
+                text: include_str!("../smt/path-band-without-rising-drift.smt2"),
+            },
+        },
+    ],
+};

@@ -1,42 +1,33 @@
-//! Claim `path-equivalence`: where `μ = (L_g L_gᵀ)⁻¹ L_f >= 0`, the equivalent control `u_eq = -L_gᵀ μ` of the sliding mode
-//! is the optimum of the safety filter `min ‖u‖²` subject to `L_f + L_g u <= 0`, and `μ` are its multipliers.
+//! Claim `path-equivalence`: the equivalent control of the sliding mode is the optimum of the safety filter.
 //!
-//! The optimality conditions of that convex program are `u = -L_gᵀ μ`, `μ >= 0`, `L_f + L_g u <= 0` and
-//! `μᵀ (L_f + L_g u) = 0`. With every constraint at equality, `L_f - L_g L_gᵀ μ = 0`, they hold, and they are sufficient.
+//! Hypotheses: `μ = (L_g L_gᵀ)⁻¹ L_f >= 0`, `u_eq = -L_gᵀ μ`.
+//!
+//! ```text
+//! u_eq = argmin ‖u‖²   subject to   L_f + L_g u <= 0,   with multipliers μ
+//! ```
+//!
+//! Source: this project; `φ <= 0` is a control-barrier condition of rate `1 / K`.
+//!
+//! Derivation. The optimality conditions of that convex program are `u = -L_gᵀ μ`, `μ >= 0`, `L_f + L_g u <= 0` and
+//! `μᵀ (L_f + L_g u) = 0`. With every constraint at equality, `L_f - L_g L_gᵀ μ = 0`, they hold, and they are sufficient: for
+//! an admissible `v = u + d` they give `uᵀd = -Σ μ_i g_iᵀd >= 0`, so `‖v‖² = ‖u‖² + 2 uᵀd + ‖d‖² >= ‖u‖²`.
+//!
+//! Dropped hypothesis: `μ_2 >= 0`. The optimum then lets that constraint go.
 
-#[cfg(test)]
-mod tests {
-    use crate::smt::assert_proved;
-    use proptest::prelude::*;
-    use slideway_baselines::safety_filter::enumeration::smallest;
+use crate::claim::{Claim, Script, Twin, Verdict};
 
-    #[test]
-    fn the_equivalent_control_is_no_longer_than_any_admissible_one() {
-        assert_proved(include_str!("../smt/path_equivalence.smt2"), include_str!("../smt/path_equivalence_sat.smt2"));
-    }
-
-    proptest! {
-        #[test]
-        fn the_equivalent_control_is_the_optimum_of_the_program(
-            rows in prop::collection::vec(prop::collection::vec(-1.0..1.0_f64, 3), 1..4),
-            multipliers in prop::array::uniform3(0.0..2.0_f64),
-        ) {
-            let mut control = [0.0; 3];
-            for (row, m) in rows.iter().zip(&multipliers) {
-                for (u, g) in control.iter_mut().zip(row) {
-                    *u -= m * g;
-                }
-            }
-            // L_f = L_g L_gᵀ μ = -L_g u_eq makes μ the multipliers; the program asks for L_g u <= -L_f.
-            let bounds: Vec<f64> = rows.iter().map(|row| row.iter().zip(&control).map(|(g, u)| g * u).sum()).collect();
-            let lengths: Vec<f64> = rows.iter().map(|row| row.iter().map(|g| g * g).sum::<f64>()).collect();
-            prop_assume!(lengths.iter().all(|l| *l > 1e-2));
-            let found = smallest(&rows, &bounds).expect("the equivalent control is admissible");
-            // Both are admissible to 1e-12 and the program is strictly convex: lengths differ by 1e-11, vectors by its
-            // root where the rows are nearly dependent.
-            for (f, u) in found.iter().zip(&control) {
-                prop_assert!((f - u).abs() <= 1e-5, "{found:?} {control:?}");
-            }
-        }
-    }
-}
+/// The claim and its scripts.
+pub const CLAIM: Claim = Claim {
+    name: "path-equivalence",
+    statement: "Where μ = (L_g L_gᵀ)⁻¹ L_f >= 0, the equivalent control -L_gᵀ μ is the smallest u with L_f + L_g u <= 0, and μ are its multipliers.",
+    source: "this project",
+    verdict: Verdict::Ours,
+    negations: &[Script { file: "path-equivalence.smt2", text: include_str!("../smt/path-equivalence.smt2") }],
+    twins: &[Twin {
+        without: "positive-multiplier",
+        script: Script {
+            file: "path-equivalence-without-positive-multiplier.smt2",
+            text: include_str!("../smt/path-equivalence-without-positive-multiplier.smt2"),
+        },
+    }],
+};

@@ -5,8 +5,13 @@
 
 #![no_std]
 
+use slideway_conditioner::path::{
+    Constraint, Margin, Motion, PathForm, PathSettings, PathState, PathStep, Reserve, SwitchingLaw, TrapSettings, Walk,
+};
+use slideway_conditioner::shapes::{Ball, HalfSpace, Side};
 use slideway_conditioner::{
-    Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedLimits, SpeedRegulator, SpeedSettings, SpeedState,
+    Advance, AffineSpeed, ImplicitSpeedRegulator, PathConditioner, Saturation, SpeedLimits, SpeedRegulator,
+    SpeedSettings, SpeedState,
 };
 
 unsafe extern "C" {
@@ -61,4 +66,149 @@ pub extern "C" fn implicit_step(
 #[unsafe(no_mangle)]
 pub extern "C" fn band(filter_step: f64, overspeed: f64, drift: f64) -> f64 {
     slideway_conditioner::bounds::drifting_band(filter_step, overspeed, drift).unwrap_or(f64::INFINITY)
+}
+
+/// What a path step is called with: a conditioner made from raw numbers is made elsewhere, once.
+pub struct Task<const M: usize> {
+    conditioner: PathConditioner<3, M>,
+    wall: HalfSpace<3>,
+    ball: Ball<3>,
+}
+
+fn path_task<const M: usize>(numbers: &[f64; 4], form: PathForm, trap: Option<TrapSettings>) -> Option<Task<M>> {
+    let settings = PathSettings {
+        sampling_period: numbers[0],
+        push_cutoff: numbers[1],
+        approach: [numbers[2]; M],
+        margin: Margin::Band,
+        form,
+        trap,
+    };
+    Some(Task {
+        conditioner: PathConditioner::new(settings).ok()?,
+        wall: HalfSpace::new(&[0.0, 1.0, 0.0], numbers[3]).ok()?,
+        ball: Ball::new([0.0; 3], numbers[3], Side::Outside).ok()?,
+    })
+}
+
+fn law(numbers: &[f64; 4]) -> SwitchingLaw {
+    SwitchingLaw::Normalised { amplitude: numbers[3] }
+}
+
+fn safe_trap(numbers: &[f64; 4]) -> TrapSettings {
+    TrapSettings {
+        walk_cutoff: numbers[1],
+        pace_cutoff: numbers[1],
+        walk: Walk::Safe { push_share: 0.5 },
+        walk_speed: numbers[3],
+        walk_growth: numbers[3],
+        return_gain: 5.0,
+        direction_period: 0.1,
+        distance_threshold: 0.05,
+        clearance_threshold: 0.05,
+        activity_threshold: 0.01,
+        seed: 1,
+    }
+}
+
+/// One step with one constraint; false where a parameter is refused.
+fn one(task: Option<Task<1>>, state: &mut PathState<3, 1>, at: &Motion<3>, out: &mut PathStep<3, 1>) -> bool {
+    let Some(task) = task else { return false };
+    *out = task.conditioner.step(state, at, |m| [task.ball.sample(m)]);
+    true
+}
+
+/// One step with two constraints.
+fn two(task: Option<Task<2>>, state: &mut PathState<3, 2>, at: &Motion<3>, out: &mut PathStep<3, 2>) -> bool {
+    let Some(task) = task else { return false };
+    *out = task.conditioner.step(state, at, |m| [task.wall.sample(m), task.ball.sample(m)]);
+    true
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_explicit_one(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 1>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 1>,
+) -> bool {
+    let form = PathForm::Sliding { law: law(numbers), reserve: Reserve::Off };
+    one(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_appendix_one(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 1>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 1>,
+) -> bool {
+    let form = PathForm::Appendix { law: law(numbers) };
+    one(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_implicit_one(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 1>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 1>,
+) -> bool {
+    let form = PathForm::Implicit { recovery_rate: numbers[3] };
+    one(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_safe_walk_one(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 1>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 1>,
+) -> bool {
+    let form = PathForm::Sliding { law: law(numbers), reserve: Reserve::On { recovery_rate: numbers[3] } };
+    one(path_task(numbers, form, Some(safe_trap(numbers))), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_explicit_two(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 2>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 2>,
+) -> bool {
+    let form = PathForm::Sliding { law: law(numbers), reserve: Reserve::Off };
+    two(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_appendix_two(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 2>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 2>,
+) -> bool {
+    let form = PathForm::Appendix { law: law(numbers) };
+    two(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_implicit_two(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 2>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 2>,
+) -> bool {
+    let form = PathForm::Implicit { recovery_rate: numbers[3] };
+    two(path_task(numbers, form, None), state, at, out)
+}
+
+#[unsafe(no_mangle)]
+pub extern "Rust" fn path_safe_walk_two(
+    numbers: &[f64; 4],
+    state: &mut PathState<3, 2>,
+    at: &Motion<3>,
+    out: &mut PathStep<3, 2>,
+) -> bool {
+    let form = PathForm::Sliding { law: law(numbers), reserve: Reserve::On { recovery_rate: numbers[3] } };
+    two(path_task(numbers, form, Some(safe_trap(numbers))), state, at, out)
 }

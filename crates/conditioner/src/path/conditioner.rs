@@ -27,7 +27,8 @@ use crate::error::ParameterError;
 ///
 /// Guaranteed, with `G_i` the full push of a sample and `D_i` the drift of `φ_i` over it:
 /// - explicit, zero-order hold: `φ_i <= max D_i`, and `σ_i <= max φ_i` over time (claims `path-band`, `path-lag`);
-/// - with the reserve: `φ_i <= G_i` at every sample, whatever the drift, and `<= 0` with [`super::Margin::Band`];
+/// - with the reserve: `φ_i <= G_i` at every sample, whatever the drift, and `<= 0` with [`super::Margin::Band`] (claim
+///   `path-reserve`);
 /// - implicit: `φ_i <= 0` at every sample, to rounding (claim `path-implicit`); between samples `φ_i` can rise by at
 ///   most `T² sup |φ̈_i| / 8`, and so can `σ_i`;
 /// - a sample that cannot be served (NaN, no direction to push, contradiction) is answered with the last position, at
@@ -208,7 +209,6 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         push: &[f64; N],
         inputs: &TrapInputs<N>,
     ) -> f64 {
-        state.excess = now.excess;
         state.last = now.motion;
         if self.discretisation == Discretisation::PrewarpedTustin {
             let pushed = add_scaled(&reference.position, 1.0, &self.filter.output(&state.push, push));

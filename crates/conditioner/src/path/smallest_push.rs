@@ -12,11 +12,13 @@ use super::vector::{add_scaled, difference, dot, norm, scaled};
 /// correction, each further one multiplies it by as much again: two or three suffice at any useful sampling period.
 const ROUNDS: usize = 8;
 
-/// A last change of a `φ_i`, relative to the size of the numbers it is made of, at which the rounds have converged.
-///
-/// A change `c` of `φ` moves the position by `γ1 c / (K γ2) = c T / 2 K` and the velocity by `c / K`, so what a boundary of
-/// curvature `h` leaves of `φ` is about `h c² T / 2 K`: below 1e-15 m for lengths of 1 m, `h` up to 100 /m and `T < K / 10`.
+/// A last change of a `φ_i`, relative to the size of the numbers it is made of, at which the push has converged: what is
+/// left of the path is a share `T / 2 K` of it.
 const CONVERGED: f64 = 1e-8;
+
+/// What may be left of a violated limit, relative to the same size: some ten roundings of 1e-16 for the sums, times a
+/// condition of up to 1e3. A change along the boundary does not show in `φ_i`, so this is asked for separately.
+const KEPT: f64 = 1e-12;
 
 impl<const N: usize, const M: usize> PathConditioner<N, M> {
     /// Implicit form and reserve: the smallest additional push over the past interval that keeps every limit.
@@ -38,24 +40,30 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
             }
         };
         let fall = rate * self.settings.sampling_period;
-        let limits = Limits { law, regained: state.excess.map(|e| e - fall) };
-        if now.excess.iter().zip(&self.limits(&limits, &now.samples)).all(|(e, limit)| e <= limit) {
-            return Ok(Push::NONE);
-        }
-        let push = self.smallest_push(now, constraints, &limits)?;
-        let [position, velocity] = self.filter.reach();
-        state.push.first = add_scaled(&state.push.first, position, &push.vector);
-        state.push.second = add_scaled(&state.push.second, velocity, &push.vector);
+        let limits = Limits { law, left: state.beyond.map(|e| (e - fall).max(0.0)) };
+        let push = if self.beyond(&limits, now).iter().zip(&limits.left).all(|(beyond, left)| beyond <= left) {
+            Push::NONE
+        } else {
+            let push = self.smallest_push(now, constraints, &limits)?;
+            let [position, velocity] = self.filter.reach();
+            state.push.first = add_scaled(&state.push.first, position, &push.vector);
+            state.push.second = add_scaled(&state.push.second, velocity, &push.vector);
+            push
+        };
+        state.beyond = self.beyond(&limits, now);
         Ok(push)
     }
 
-    /// Zero, or the band of the explicit law; from outside, what the recovery leaves of the last sample's excess.
-    fn limits(&self, limits: &Limits<M>, samples: &[ConstraintSample<N>; M]) -> [f64; M] {
-        let mut band = limits.law.map_or([0.0; M], |law| self.full_push(law, samples));
-        for (b, regained) in band.iter_mut().zip(&limits.regained) {
-            *b = b.max(*regained);
-        }
-        band
+    /// How far each `φ_i` plus margin lies above its band.
+    #[inline(always)]
+    fn beyond(&self, limits: &Limits<M>, now: &Evaluated<N, M>) -> [f64; M] {
+        difference(&now.excess, &self.band(limits.law, &now.samples))
+    }
+
+    /// Zero, or the band of the explicit law.
+    #[inline(always)]
+    fn band(&self, law: Option<SwitchingLaw>, samples: &[ConstraintSample<N>; M]) -> [f64; M] {
+        law.map_or([0.0; M], |law| self.full_push(law, samples))
     }
 
     /// Repeated linearisation: each round projects the origin onto the half-spaces of the constraints linearised at the
@@ -71,21 +79,26 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     {
         let free = now.motion;
         let mut push = [0.0; N];
-        for _ in 0..ROUNDS {
+        for round in 1..=ROUNDS {
             let rows = self.rows(&now.samples);
-            let mut bounds = self.limits(limits, &now.samples);
-            for ((b, e), row) in bounds.iter_mut().zip(&now.excess).zip(&rows) {
-                *b += dot(row, &push) - e;
+            let mut bounds = self.band(limits.law, &now.samples);
+            for (((b, left), e), row) in bounds.iter_mut().zip(&limits.left).zip(&now.excess).zip(&rows) {
+                *b += left + dot(row, &push) - e;
             }
             let found = smallest_correction(&rows, &bounds).map_err(|reason| match reason {
                 NoCorrection::Contradiction(i) => HoldReason::Contradiction(i),
                 NoCorrection::Cycling => HoldReason::CorrectionNotFound,
             })?;
-            let settled = self.settled(now, &rows, &difference(&found.vector, &push));
+            let sizes = self.sizes(now);
+            let change = difference(&found.vector, &push);
+            let settled = rows.iter().zip(&sizes).all(|(row, size)| libm::fabs(dot(row, &change)) <= CONVERGED * size);
             push = found.vector;
             *now = self.evaluate(self.pushed(&free, &push), constraints);
             self.check(now)?;
-            if settled {
+            let beyond = self.beyond(limits, now);
+            let kept = beyond.iter().zip(&limits.left).zip(&sizes).all(|((b, left), size)| b - left <= KEPT * size);
+            // Where the rows are worse conditioned than that, the last round's answer is the best there is.
+            if settled && (kept || round == ROUNDS) {
                 return Ok(Push { vector: push, share: shares(&rows, &found.multipliers) });
             }
         }
@@ -111,12 +124,14 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         rows
     }
 
-    fn settled(&self, now: &Evaluated<N, M>, rows: &[[f64; N]; M], change: &[f64; N]) -> bool {
+    /// Sizes of the numbers that each `φ_i` is a sum of.
+    fn sizes(&self, now: &Evaluated<N, M>) -> [f64; M] {
         let (place, speed) = (norm(&now.motion.position), norm(&now.motion.velocity));
-        rows.iter().zip(&now.samples).zip(&self.settings.approach).all(|((row, s), &k)| {
-            let size = libm::fabs(s.value) + norm(&s.gradient) * (place + k * speed);
-            libm::fabs(dot(row, change)) <= CONVERGED * size
-        })
+        let mut sizes = self.settings.approach;
+        for (size, s) in sizes.iter_mut().zip(&now.samples) {
+            *size = libm::fabs(s.value) + norm(&s.gradient) * (place + *size * speed);
+        }
+        sizes
     }
 }
 
@@ -124,8 +139,8 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
 struct Limits<const M: usize> {
     /// The explicit law whose band counts; none for the implicit form.
     law: Option<SwitchingLaw>,
-    /// What the recovery leaves of the last sample's excess.
-    regained: [f64; M],
+    /// What the recovery leaves of how far the last sample was beyond its band: zero from inside.
+    left: [f64; M],
 }
 
 /// Share of each row in the push: `λ_i ‖g_i‖`, normalised.

@@ -40,8 +40,8 @@ pub(crate) struct TrapState<const N: usize> {
 pub struct PathState<const N: usize, const M: usize> {
     pub(crate) push: PushState<N>,
     pub(crate) trap: TrapState<N>,
-    /// `φ_i` plus margin at the last sample, for the recovery.
-    pub(crate) excess: [f64; M],
+    /// How far `φ_i` plus margin was above its band at the last sample, for the recovery.
+    pub(crate) beyond: [f64; M],
     /// The motion given out last; for the appendix's scheme the one to be given out next.
     pub(crate) last: Motion<N>,
     pub(crate) phase: Phase,
@@ -67,14 +67,14 @@ impl<const N: usize, const M: usize> PathState<N, M> {
             remaining: 0,
             random: Random::new(seed),
         };
-        Self { push, trap, excess: [f64::INFINITY; M], last: rest, phase: Phase::Fresh }
+        Self { push, trap, beyond: [f64::INFINITY; M], last: rest, phase: Phase::Fresh }
     }
 
     /// Stands still at `motion`; the next sample starts from there.
     pub(crate) fn hold(&mut self, motion: Motion<N>) {
         self.last = motion;
         self.phase = Phase::Held;
-        self.excess = [f64::INFINITY; M];
+        self.beyond = [f64::INFINITY; M];
         self.trap.pace = 0.0;
         self.trap.pace_memory = 0.0;
     }
