@@ -11,9 +11,10 @@ pub(super) enum Line {
 }
 
 /// Why `x` is bounded as it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Reason {
     /// The node's own box.
+    #[default]
     Box,
     /// One row that does not contain `y`.
     Row(usize, Side),
@@ -70,12 +71,6 @@ pub(super) struct IntervalProgram {
     line: Vec<Line>,
     x: [f64; 2],
     reasons: [Reason; 2],
-}
-
-impl Default for Reason {
-    fn default() -> Self {
-        Self::Box
-    }
 }
 
 /// The highest lower line and the lowest upper line at some `x`.
