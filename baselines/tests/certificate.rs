@@ -1,10 +1,13 @@
 //! The certificate: right for any multipliers, tight with the solver's, blind to units.
 
+mod support;
+
 use proptest::prelude::*;
 use slideway_baselines::time_optimal::{
     GAP_TOLERANCE, PieceProgram, feasible_time, lower_bound, repair, solve_conic, time_optimum,
 };
-use slideway_lab::{PathSample, SampledPath, SampledPiece};
+use slideway_lab::{PathSample, SampledPath};
+use support::{one_piece, straight};
 
 /// A smooth random joint path `q_i(s) = Σ_j c_ij sin(j π u + φ_ij)`, `u = s / length`, sampled on a uniform grid.
 #[derive(Clone, Debug)]
@@ -36,18 +39,20 @@ impl RandomPath {
                     })
                     .collect()
             };
-            PathSample { s: u * length, lambda: u, first: derivative(1), second: derivative(2) }
+            PathSample {
+                s: u * length,
+                lambda: u,
+                first: derivative(1),
+                second: derivative(2),
+                ..PathSample::default()
+            }
         };
         SampledPath {
             joints: self.waves.len(),
             speed_lower: self.speed.iter().map(|v| -v).collect(),
             speed_upper: self.speed.clone(),
             acceleration: Some(self.acceleration.clone()),
-            pieces: vec![SampledPiece {
-                nodes: (0..=intervals).map(node).collect(),
-                between: vec![],
-                is_self_motion: false,
-            }],
+            pieces: vec![one_piece((0..=intervals).map(node).collect(), vec![])],
         }
     }
 }
@@ -101,7 +106,7 @@ proptest! {
         let sampled = path.sample(11, 1.0, 1.0);
         let program = PieceProgram::new(&sampled, 0).expect("moves");
         let profile: Vec<f64> = (0..12).map(|k| if program.free().contains(&k) { program.cap[k] * seed[k].0 } else { 0.0 }).collect();
-        let mut multipliers: Vec<f64> = (0..program.rows.len()).map(|i| 10f64.powf(seed[i % 12].1) - 1.0).collect();
+        let mut multipliers: Vec<f64> = (0..program.row_count()).map(|i| 10f64.powf(seed[i % 12].1) - 1.0).collect();
         if poison { multipliers[0] = f64::NAN; }
         let lower = lower_bound(&program, &profile, &multipliers);
         // Any feasible profile will do as a witness; the repaired one is feasible.
@@ -117,29 +122,12 @@ proptest! {
         for (k, &x) in profile.iter().enumerate() {
             prop_assert!(0.0 <= x && x <= program.cap[k]);
         }
-        for row in &program.rows {
-            // The program's own arithmetic: two products and a sum, each rounded once, of numbers whose sum is at most 1.
+        for row in program.rows() {
+            // The program's own arithmetic: two products and a sum, each rounded once, of numbers whose sum is at most the bound.
             let terms = [row.before * profile[row.interval], row.after * profile[row.interval + 1]];
-            let slack = 4.0 * f64::EPSILON * (terms[0].abs() + terms[1].abs() + 1.0);
-            prop_assert!(terms[0] + terms[1] <= 1.0 + slack);
+            let slack = 4.0 * f64::EPSILON * (terms[0].abs() + terms[1].abs() + row.bound.abs());
+            prop_assert!(terms[0] + terms[1] <= row.bound + slack);
         }
-    }
-}
-
-/// One joint on a straight line of length `distance`: `q' = distance` per unit of `s`, `q'' = 0`.
-fn straight(distance: f64, speed: f64, acceleration: f64, intervals: usize) -> SampledPath {
-    let node =
-        |k: usize| PathSample { s: k as f64 / intervals as f64, lambda: 0.0, first: vec![distance], second: vec![0.0] };
-    SampledPath {
-        joints: 1,
-        speed_lower: vec![-speed],
-        speed_upper: vec![speed],
-        acceleration: Some(vec![acceleration]),
-        pieces: vec![SampledPiece {
-            nodes: (0..=intervals).map(node).collect(),
-            between: vec![],
-            is_self_motion: false,
-        }],
     }
 }
 

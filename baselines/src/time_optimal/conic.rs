@@ -26,7 +26,7 @@ const TOLERANCE: f64 = 1e-8;
 ///
 /// Variables `x_k, c_k, t_k` per node, interleaved so that the factorisation stays banded:
 /// `c_k <= √x_k` as `(x+1, x-1, 2c) ∈ Q³` and `t_k >= 1 / (c_k + c_{k+1})` as `(c+c'+t, c+c'-t, 2) ∈ Q³`; minimise
-/// `Σ 2 h_k t_k`. Ends at rest are eliminated: as equalities they would leave no interior point.
+/// `Σ 2 h_k t_k`. Given ends are eliminated: as equalities they would leave no interior point.
 ///
 /// # Errors
 ///
@@ -43,7 +43,7 @@ pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> 
         CscMatrix::new_from_triplets(build.rhs.len(), layout.variables, build.rows, build.columns, build.values);
     let mut objective = vec![0.0; layout.variables];
     for (k, h) in program.h.iter().enumerate() {
-        objective[layout.t(k)] = 2.0 * h;
+        objective[layout.t[k]] = 2.0 * h;
     }
     let mut kinds = vec![SupportedConeT::NonnegativeConeT(linear)];
     kinds.extend(vec![SupportedConeT::SecondOrderConeT(3); cones]);
@@ -63,7 +63,8 @@ pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> 
     solver.solve();
     let solution = &solver.solution;
     let free = program.free();
-    let b = (0..program.cap.len()).map(|k| if free.contains(&k) { solution.x[layout.x(k)] } else { 0.0 }).collect();
+    let b =
+        (0..program.cap.len()).map(|k| layout.column[k].map_or(program.cap[k], |column| solution.x[column])).collect();
     Ok(ConicAnswer {
         b,
         multipliers: solution.z[free.len()..linear].to_vec(),
@@ -96,60 +97,64 @@ impl Build {
 
 /// Where the variables are: per free node `x, c`, per interval `t`, interleaved along the path.
 struct Layout {
-    at_rest: bool,
-    nodes: usize,
+    /// Column of `x`, followed by that of `c`, where the node is free.
+    column: Vec<Option<usize>>,
+    /// Column of each interval's `t`.
+    t: Vec<usize>,
     variables: usize,
 }
 
 impl Layout {
     fn new(program: &PieceProgram) -> Self {
-        let nodes = program.cap.len();
-        Self { at_rest: program.rests, nodes, variables: 2 * program.free().len() + program.h.len() }
-    }
-
-    fn x(&self, node: usize) -> usize {
-        // At rest, node 0 has no variables and interval 0 has one, so node k begins at 1 + 3 (k - 1).
-        if self.at_rest { 3 * node - 2 } else { 3 * node }
-    }
-
-    fn c(&self, node: usize) -> usize {
-        self.x(node) + 1
-    }
-
-    fn t(&self, interval: usize) -> usize {
-        if self.at_rest { 3 * interval } else { 3 * interval + 2 }
-    }
-
-    fn is_free(&self, node: usize) -> bool {
-        !self.at_rest || (node > 0 && node + 1 < self.nodes)
+        let mut layout = Self { column: Vec::new(), t: Vec::new(), variables: 0 };
+        let free = program.free();
+        for node in 0..program.cap.len() {
+            layout.column.push(free.contains(&node).then_some(layout.variables));
+            layout.variables += if free.contains(&node) { 2 } else { 0 };
+            if node < program.h.len() {
+                layout.t.push(layout.variables);
+                layout.variables += 1;
+            }
+        }
+        layout
     }
 
     /// `x_k <= cap_k`, then the program's rows.
     fn caps_and_rows(&self, program: &PieceProgram, build: &mut Build) {
         for k in program.free() {
-            build.row(&[(self.x(k), 1.0)], program.cap[k]);
+            build.row(&self.x(k, 1.0), program.cap[k]);
         }
-        for row in &program.rows {
-            let ends = [(row.interval, row.before), (row.interval + 1, row.after)];
-            let entries: Vec<(usize, f64)> =
-                ends.iter().filter(|(k, _)| self.is_free(*k)).map(|&(k, v)| (self.x(k), v)).collect();
-            build.row(&entries, 1.0);
+        for row in program.rows() {
+            let mut bound = row.bound;
+            let mut entries = Vec::with_capacity(2);
+            for (node, value) in [(row.interval, row.before), (row.interval + 1, row.after)] {
+                match self.column[node] {
+                    Some(column) => entries.push((column, value)),
+                    None => bound -= value * program.cap[node],
+                }
+            }
+            build.row(&entries, bound);
         }
     }
 
+    fn x(&self, node: usize, value: f64) -> Vec<(usize, f64)> {
+        self.column[node].map(|column| (column, value)).into_iter().collect()
+    }
+
     fn cones(&self, program: &PieceProgram, build: &mut Build) {
-        for k in program.free() {
-            build.row(&[(self.x(k), -1.0)], 1.0);
-            build.row(&[(self.x(k), -1.0)], -1.0);
-            build.row(&[(self.c(k), -2.0)], 0.0);
+        for column in self.column.iter().flatten() {
+            build.row(&[(*column, -1.0)], 1.0);
+            build.row(&[(*column, -1.0)], -1.0);
+            build.row(&[(column + 1, -2.0)], 0.0);
         }
-        for k in 0..program.h.len() {
-            let roots: Vec<(usize, f64)> =
-                [k, k + 1].iter().filter(|&&k| self.is_free(k)).map(|&k| (self.c(k), -1.0)).collect();
+        for (k, &t) in self.t.iter().enumerate() {
+            // The root of a given end is a number, not a variable.
+            let given = |node: usize| if self.column[node].is_none() { program.cap[node].sqrt() } else { 0.0 };
+            let constant = given(k) + given(k + 1);
+            let roots = [k, k + 1].into_iter().filter_map(|k| self.column[k]).map(|column| (column + 1, -1.0));
             for sign in [-1.0, 1.0] {
-                let mut entries = roots.clone();
-                entries.push((self.t(k), sign));
-                build.row(&entries, 0.0);
+                let entries: Vec<(usize, f64)> = roots.clone().chain([(t, sign)]).collect();
+                build.row(&entries, constant);
             }
             build.row(&[], 2.0);
         }

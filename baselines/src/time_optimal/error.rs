@@ -1,3 +1,4 @@
+use slideway_lab::LimitKind;
 use thiserror::Error;
 
 /// Why there is no optimum.
@@ -18,17 +19,34 @@ pub enum OptimumError {
         /// The node, counted from 0.
         node: usize,
     },
-    /// A limit that no speed, however small, can keep.
-    #[error("{limit} limit of joint {} cannot be kept at node {node} of piece {}", joint + 1, piece + 1)]
+    /// No profile keeps the limits. Named is the limit that matters most in the proof.
+    #[error(
+        "no speed profile keeps the {kind} limit {} at s = {s} (node {node} of piece {}): short by at least {:.3} % of its range",
+        index + 1, piece + 1, 100.0 * share
+    )]
     Infeasible {
         /// The piece, counted from 0.
         piece: usize,
-        /// The node, counted from 0.
+        /// The node, counted from 0; of a limit between nodes, the one before.
         node: usize,
-        /// The joint, counted from 0.
-        joint: usize,
-        /// Which limit.
-        limit: &'static str,
+        /// The piece's parameter there.
+        s: f64,
+        /// What is limited.
+        kind: LimitKind,
+        /// The joint, counted from 0; 0 for the tool's speed, the polygon's side for its acceleration.
+        index: usize,
+        /// Unless some limit of the proof gives way by this share of its range, there is no profile.
+        share: f64,
+        /// Whether the proof, a Farkas certificate, holds under outward rounding; false only within rounding of feasible.
+        proven: bool,
+    },
+    /// Limits between the nodes stay exceeded.
+    #[error("limits between the nodes are still exceeded by {excess:e} of their range after {rounds} rounds")]
+    NotRefined {
+        /// What is left.
+        excess: f64,
+        /// Rounds tried.
+        rounds: usize,
     },
     /// The solver refused the problem's data.
     #[error("the solver refused the problem: {0}")]

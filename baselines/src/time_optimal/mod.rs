@@ -8,29 +8,46 @@
 //! q̇ = q' √b,   q̈ = q' s̈ + q'' b,   s̈_k = (b_{k+1} - b_k) / (2 Δs_k)
 //! ```
 //!
-//! The path comes in smooth pieces. Under speed limits alone each piece is free at its ends; under acceleration limits each
-//! begins and ends at rest, for between pieces the joint path has a corner.
+//! So are torques, `τ = m s̈ + c b + g`, and tool accelerations: any limit of the form `lower <= a s̈ + c b + d <= upper`, with
+//! numbers that vary along the path ([`slideway_lab::LinearLimit`]); limits on the path rate bound `b` itself. Every limit is taken at both
+//! ends of every interval, with that interval's `s̈`.
+//!
+//! The path comes in smooth pieces. Unless the caller says otherwise, under speed limits alone each piece is free at its
+//! ends; under other limits each begins and ends at rest, for between pieces the joint path has a corner.
+//!
+//! Two solvers work on the same rows. [`time_optimum`] solves the conic program and certifies it. [`reachable_profile`] sweeps over
+//! the grid with two-variable linear programs: a thousand times faster, feasible, not quite optimal.
 //!
 //! Nothing here believes the solver: its answer is repaired until every limit holds at the nodes in a re-check (an upper
 //! bound), its multipliers are turned into a lower bound that is valid whatever they are, and the answer is accepted if the
-//! two are close enough.
+//! two are close enough. That no profile exists is decided by the sweep and proven by a Farkas certificate. All of this is about the
+//! rows as rounded to `f64`; between the nodes see [`Violation`] and [`refine_optimum`].
 
 mod certificate;
 mod conic;
+mod controllable;
 mod error;
+mod farkas;
+mod interval;
 mod piece;
+mod reachability;
+mod refine;
 mod repair;
+mod strip;
 mod violation;
 
 pub use certificate::lower_bound;
 pub use conic::{ConicAnswer, solve_conic};
 pub use error::OptimumError;
-pub use piece::{PieceProgram, Row, RowSource};
+pub use piece::{ExtraSample, PieceProgram};
+pub use reachability::{ROW_TOLERANCE, ReachableProfile, reachable_profile};
+pub use refine::{Refined, refine_optimum, refine_profile};
 pub use repair::{feasible_time, repair};
+pub use strip::{Row, RowSource, Strip};
 pub use violation::Violation;
 
 use crate::outward::Outward;
-use slideway_lab::SampledPath;
+use slideway_lab::{SampledPath, SampledPiece};
 
 /// A certified optimum.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,41 +126,64 @@ impl TimeOptimum {
 ///
 /// # Errors
 ///
-/// The path does not move, a number is not finite, or the solver's answer cannot be repaired.
+/// The path does not move, a number is not usable, no profile keeps the limits (with the limit, the place and by how much), or
+/// the solver's answer cannot be repaired.
 pub fn time_optimum(path: &SampledPath) -> Result<TimeOptimum, OptimumError> {
-    let mut optimum = TimeOptimum {
-        duration_s: 0.0,
-        lower_s: 0.0,
-        upper_s: 0.0,
-        grid_points: 0,
-        status: Vec::new(),
-        iterations: 0,
-        solve_s: 0.0,
-        between: Violation::default(),
-        pieces: Vec::new(),
-    };
-    let (mut lower, mut upper) = (Outward::ZERO, Outward::ZERO);
-    for (index, piece) in path.pieces.iter().enumerate() {
-        let program = PieceProgram::new(path, index)?;
-        let answer = solve_conic(&program)?;
-        let profile = repair(&program, &answer.b)?;
-        let time = feasible_time(&program, &profile);
-        let b = program.in_units(&profile);
-        lower = lower + lower_bound(&program, &profile, &answer.multipliers);
-        upper = upper + time;
-        optimum.duration_s += 0.5 * (time.lo + time.hi);
-        optimum.grid_points += piece.nodes.len();
-        optimum.status.push(answer.status);
-        optimum.iterations += answer.iterations;
-        optimum.solve_s += answer.solve_s;
-        optimum.between = optimum.between.worst(Violation::new(path, index, &b));
-        optimum.pieces.push(ProfilePiece {
-            lambda: piece.nodes.iter().map(|n| n.lambda).collect(),
-            s: piece.nodes.iter().map(|n| n.s).collect(),
-            b,
-            is_self_motion: piece.is_self_motion,
-        });
+    let mut parts = Vec::new();
+    for index in 0..path.pieces.len() {
+        parts.push(solve_piece(path, index, &[])?);
     }
-    (optimum.lower_s, optimum.upper_s) = (lower.lo, upper.hi);
-    Ok(optimum)
+    Ok(TimeOptimum::of(path, parts))
+}
+
+/// One piece, solved and certified.
+pub(crate) struct SolvedPiece {
+    b: Vec<f64>,
+    lower: Outward,
+    upper: Outward,
+    answer: ConicAnswer,
+}
+
+pub(crate) fn solve_piece(
+    path: &SampledPath,
+    index: usize,
+    extra: &[ExtraSample],
+) -> Result<SolvedPiece, OptimumError> {
+    let program = PieceProgram::sampled(path, index, extra)?.bounded(path)?;
+    let answer = solve_conic(&program)?;
+    let profile = repair(&program, &answer.b)?;
+    Ok(SolvedPiece {
+        b: program.in_units(&profile),
+        lower: lower_bound(&program, &profile, &answer.multipliers),
+        upper: feasible_time(&program, &profile),
+        answer,
+    })
+}
+
+impl TimeOptimum {
+    fn of(path: &SampledPath, parts: Vec<SolvedPiece>) -> Self {
+        let sum = |of: fn(&SolvedPiece) -> Outward| parts.iter().map(of).fold(Outward::ZERO, |sum, time| sum + time);
+        let (lower, upper) = (sum(|p| p.lower), sum(|p| p.upper));
+        let violations = parts.iter().enumerate().map(|(index, p)| Violation::new(path, index, &p.b));
+        Self {
+            duration_s: 0.5 * (upper.lo + upper.hi),
+            lower_s: lower.lo,
+            upper_s: upper.hi,
+            grid_points: path.pieces.iter().map(|p| p.nodes.len()).sum(),
+            status: parts.iter().map(|p| p.answer.status.clone()).collect(),
+            iterations: parts.iter().map(|p| p.answer.iterations).sum(),
+            solve_s: parts.iter().map(|p| p.answer.solve_s).sum(),
+            between: violations.fold(Violation::default(), Violation::worst),
+            pieces: path.pieces.iter().zip(parts).map(|(piece, part)| profile_piece(piece, part.b)).collect(),
+        }
+    }
+}
+
+fn profile_piece(piece: &SampledPiece, b: Vec<f64>) -> ProfilePiece {
+    ProfilePiece {
+        lambda: piece.nodes.iter().map(|n| n.lambda).collect(),
+        s: piece.nodes.iter().map(|n| n.s).collect(),
+        b,
+        is_self_motion: piece.is_self_motion,
+    }
 }

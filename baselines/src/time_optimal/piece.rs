@@ -1,75 +1,212 @@
+use super::controllable::controllable;
 use super::error::OptimumError;
+use super::interval::Direction;
+use super::strip::{Place, Row, RowSource, Side, Strip, power_of_two};
 use crate::outward::Outward;
-use slideway_lab::{PathSample, SampledPath, SampledPiece};
+use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SampledPiece};
 
-/// The discretised problem of one piece, without dimensions.
+/// The discretised problem of one piece.
 ///
-/// Unknown: `x_k = b_k / unit_b` at the nodes. Minimise `Σ 2 h_k / (√x_k + √x_{k+1})` subject to the rows and
-/// `0 <= x_k <= cap_k`, where `h_k = Δs_k / S`. A time in these units is multiplied by [`PieceProgram::unit_time`]
-/// for seconds. The largest cap is 1, so the answer depends neither on the path's scale nor on the units of the limits.
+/// Unknown: `x_k = b_k / unit_b` at the nodes. Minimise `Σ 2 h_k / (√x_k + √x_{k+1})` subject to the strips and
+/// `0 <= x_k <= cap_k`, where `h_k = Δs_k / unit_s`. A time in these units is multiplied by [`PieceProgram::unit_time`] for
+/// seconds. All units are powers of two, so nothing is rounded by the scaling; the largest cap is between 1/2 and 1 in a
+/// program made by [`PieceProgram::new`], so the answer depends neither on the path's scale nor on the units of the limits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceProgram {
-    /// Interval lengths as shares of the piece.
+    /// Interval lengths.
     pub h: Vec<f64>,
-    /// Upper bound of each unknown: speed limits, tightened by what the accelerations can reach from the ends.
+    /// Upper bound of each unknown.
     pub cap: Vec<f64>,
-    /// Acceleration rows, scaled to a right-hand side of 1.
-    pub rows: Vec<Row>,
-    /// Whether the piece begins and ends at rest (`x = 0`).
-    pub rests: bool,
+    /// Both ends' values where they are given, `[start, end]`.
+    pub given: [Option<f64>; 2],
+    pub(super) strips: Vec<Strip>,
+    /// Strips of interval `k` are `first[k]..first[k + 1]`.
+    pub(super) first: Vec<usize>,
+    pub(super) index: usize,
     unit_b: f64,
     unit_time: Outward,
 }
 
-/// One row: `before · x_k + after · x_{k+1} <= 1`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
-    /// The interval `k`.
+/// A sample between nodes at which the limits are to hold as well: `between[interval][sample]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ExtraSample {
+    /// The interval, counted from 0.
     pub interval: usize,
-    /// Coefficient of `x_k`.
-    pub before: f64,
-    /// Coefficient of `x_{k+1}`.
-    pub after: f64,
-    /// Where it comes from.
-    pub source: RowSource,
-}
-
-/// The limit behind a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RowSource {
-    /// Joint, counted from 0.
-    pub joint: usize,
-    /// Node at which the acceleration is taken.
-    pub node: usize,
+    /// The sample in it, counted from 0.
+    pub sample: usize,
 }
 
 impl PieceProgram {
-    /// The program of piece `index` of a sampled path.
+    /// The program of piece `index` of a sampled path, without dimensions and with caps as low as the limits prove them.
     ///
     /// # Errors
     ///
-    /// The piece does not move, or a derivative is not finite.
+    /// The piece does not move, a number is not usable, or no profile keeps the limits.
     pub fn new(path: &SampledPath, index: usize) -> Result<Self, OptimumError> {
+        Self::sampled(path, index, &[])?.bounded(path)
+    }
+
+    /// The program in the path's own units, its caps those of the speed limits alone. `extra` samples, in order, are added
+    /// to the rows.
+    ///
+    /// # Errors
+    ///
+    /// The piece does not move or a number is not usable.
+    pub fn sampled(path: &SampledPath, index: usize, extra: &[ExtraSample]) -> Result<Self, OptimumError> {
         let piece = &path.pieces[index];
         check_finite(piece, index)?;
-        let length = piece.nodes[piece.nodes.len() - 1].s - piece.nodes[0].s;
-        let steps: Vec<f64> = piece.nodes.windows(2).map(|w| w[1].s - w[0].s).collect();
-        let raw_rows = acceleration_rows(path, piece, &steps);
-        let rests = path.acceleration.is_some();
-        let raw_caps = tighten(&speed_caps(path, piece), &raw_rows, rests);
-        let unit_b = raw_caps.iter().copied().filter(|c| c.is_finite()).fold(0.0, f64::max);
-        if raw_caps.iter().any(|c| !c.is_finite()) || !(unit_b > 0.0) || !(length > 0.0) {
+        if piece.nodes.len() < 2 || piece.nodes.windows(2).any(|w| !(w[1].s > w[0].s)) {
             return Err(OptimumError::NoMotion { piece: index });
         }
-        let scale = |row: &Row| Row { before: row.before * unit_b, after: row.after * unit_b, ..*row };
-        Ok(Self {
-            h: steps.iter().map(|s| s / length).collect(),
-            cap: raw_caps.iter().map(|c| (c / unit_b).next_up()).collect(),
-            rows: raw_rows.iter().map(scale).collect(),
-            rests,
-            unit_b,
-            unit_time: Outward::exact(length) / Outward::exact(unit_b).sqrt(),
-        })
+        let cap = speed_caps(path, piece);
+        if !cap.iter().all(|c| c.is_finite() && *c > 0.0) {
+            return Err(OptimumError::NoMotion { piece: index });
+        }
+        let mut program = Self {
+            h: piece.nodes.windows(2).map(|w| w[1].s - w[0].s).collect(),
+            cap,
+            given: given_ends(path, piece, index)?,
+            strips: Vec::new(),
+            first: vec![0],
+            index,
+            unit_b: 1.0,
+            unit_time: Outward::exact(1.0),
+        };
+        program.add_strips(path, piece, extra)?;
+        program.give_ends(path, piece)?;
+        Ok(program)
+    }
+
+    /// Lowers the caps to what is controllable and reachable, and scales everything to the largest of them.
+    pub(super) fn bounded(mut self, path: &SampledPath) -> Result<Self, OptimumError> {
+        let backward = controllable(&self, Direction::Backward).map_err(|e| e.describe(&self, path))?;
+        self.cap = backward.proven_upper(&self, Direction::Backward);
+        let forward = controllable(&self, Direction::Forward).map_err(|e| e.describe(&self, path))?;
+        self.cap = forward.proven_upper(&self, Direction::Forward);
+        let largest = self.cap.iter().copied().fold(0.0, f64::max);
+        let length: f64 = self.h.iter().sum();
+        self.rescale(2.0 * power_of_two(largest), power_of_two(length));
+        Ok(self)
+    }
+
+    /// Strips of every interval: the nodes at both ends, then the extra samples.
+    fn add_strips(
+        &mut self,
+        path: &SampledPath,
+        piece: &SampledPiece,
+        extra: &[ExtraSample],
+    ) -> Result<(), OptimumError> {
+        let per_node = path.acceleration.as_ref().map_or(0, Vec::len) + piece.nodes[0].limits.len();
+        self.strips.reserve(2 * per_node * self.h.len());
+        let mut extra = extra.iter().peekable();
+        for interval in 0..self.h.len() {
+            let half_inverse = 0.5 / self.h[interval];
+            for (end, share) in [(0, 0.0), (1, 1.0)] {
+                let source = Origin { node: interval + end, sample: 0 };
+                self.add_sample(path, &piece.nodes[interval + end], Place { share, half_inverse }, source)?;
+            }
+            while let Some(point) = extra.next_if(|p| p.interval == interval) {
+                let sample = &piece.between[interval][point.sample];
+                let share = (sample.s - piece.nodes[interval].s) / self.h[interval];
+                let source = Origin { node: interval, sample: point.sample + 1 };
+                self.add_sample(path, sample, Place { share, half_inverse }, source)?;
+                self.add_speed(path, sample, share, source);
+            }
+            self.first.push(self.strips.len());
+        }
+        Ok(())
+    }
+
+    fn add_sample(
+        &mut self,
+        path: &SampledPath,
+        sample: &PathSample,
+        place: Place,
+        origin: Origin,
+    ) -> Result<(), OptimumError> {
+        for (joint, &bound) in path.acceleration.iter().flatten().enumerate() {
+            let (first, second) = (sample.first[joint], sample.second[joint]);
+            if first != 0.0 || second != 0.0 {
+                self.add(&LinearLimit::joint_acceleration(joint, first, second, -bound, bound), place, origin)?;
+            }
+        }
+        sample.limits.iter().try_for_each(|limit| self.add(limit, place, origin))
+    }
+
+    fn add(&mut self, limit: &LinearLimit, place: Place, origin: Origin) -> Result<(), OptimumError> {
+        let strip = Strip::new(limit, place, origin.of(limit.kind, limit.index));
+        if !strip.is_valid() {
+            return Err(OptimumError::NotFinite { piece: self.index, node: origin.node });
+        }
+        self.strips.push(strip);
+        Ok(())
+    }
+
+    /// `b <= cap` at an extra sample, as a row.
+    fn add_speed(&mut self, path: &SampledPath, sample: &PathSample, share: f64, origin: Origin) {
+        let squared = path.slowness(sample).powi(2);
+        let (kind, index) = path.tightest_speed(sample);
+        if squared > 0.0 {
+            // The row is scaled by the power of two next to the bound on b, so that its bound is of order 1.
+            let scale = power_of_two(squared);
+            let source = origin.of(kind, index);
+            let upper = (scale / squared).next_down();
+            self.strips.push(Strip {
+                before: (1.0 - share) * scale,
+                after: share * scale,
+                lower: f64::NEG_INFINITY,
+                upper,
+                source,
+            });
+        }
+    }
+
+    /// Given values at the ends become the box there.
+    fn give_ends(&mut self, path: &SampledPath, piece: &SampledPiece) -> Result<(), OptimumError> {
+        for (given, node) in [(self.given[0], 0), (self.given[1], self.cap.len() - 1)] {
+            let Some(b) = given else { continue };
+            if !(b <= self.cap[node]) {
+                let (kind, index) = path.tightest_speed(&piece.nodes[node]);
+                let share = (b / self.cap[node]).sqrt() - 1.0;
+                return Err(OptimumError::Infeasible {
+                    piece: self.index,
+                    node,
+                    s: piece.nodes[node].s,
+                    kind,
+                    index,
+                    share,
+                    proven: true,
+                });
+            }
+            self.cap[node] = b;
+        }
+        Ok(())
+    }
+
+    /// Changes units by powers of two.
+    fn rescale(&mut self, unit_b: f64, unit_s: f64) {
+        self.h.iter_mut().for_each(|h| *h /= unit_s);
+        self.cap.iter_mut().for_each(|c| *c /= unit_b);
+        self.given.iter_mut().flatten().for_each(|g| *g /= unit_b);
+        for strip in &mut self.strips {
+            strip.before *= unit_b;
+            strip.after *= unit_b;
+        }
+        self.unit_time = Outward::exact(unit_s) / Outward::exact(unit_b).sqrt();
+        self.unit_b = unit_b;
+    }
+
+    /// The same program with every limit narrowed by a share of its half range and every cap by the same share.
+    pub(super) fn narrowed(&self, share: f64) -> Self {
+        let mut program = self.clone();
+        for strip in &mut program.strips {
+            let inset = share * strip.half_range();
+            (strip.lower, strip.upper) = (strip.lower + inset, strip.upper - inset);
+        }
+        for k in self.free() {
+            program.cap[k] *= 1.0 - share;
+        }
+        program
     }
 
     /// Seconds per unit of the program's time.
@@ -84,19 +221,84 @@ impl PieceProgram {
         x.iter().map(|x| x * self.unit_b).collect()
     }
 
-    /// The nodes whose unknown is free, as a range: all of them, or all but the ends at rest.
+    /// The nodes whose unknown is free, as a range: all of them but the ends with given values.
     #[must_use]
     pub fn free(&self) -> std::ops::Range<usize> {
-        if self.rests { 1..self.cap.len() - 1 } else { 0..self.cap.len() }
+        usize::from(self.given[0].is_some())..self.cap.len() - usize::from(self.given[1].is_some())
+    }
+
+    /// Least value of a node: what is given there, or 0.
+    #[must_use]
+    pub fn floor(&self, node: usize) -> f64 {
+        if self.free().contains(&node) { 0.0 } else { self.cap[node] }
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn row_count(&self) -> usize {
+        self.strips.iter().map(|s| usize::from(s.upper.is_finite()) + usize::from(s.lower.is_finite())).sum()
+    }
+
+    /// The rows, interval by interval: multipliers are in this order.
+    pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
+        (0..self.h.len()).flat_map(move |interval| {
+            self.interval(interval)
+                .iter()
+                .flat_map(move |s| [s.row(interval, Side::Upper), s.row(interval, Side::Lower)])
+                .flatten()
+        })
+    }
+
+    /// The strips of one interval.
+    pub(super) fn interval(&self, interval: usize) -> &[Strip] {
+        &self.strips[self.first[interval]..self.first[interval + 1]]
+    }
+
+    /// The largest violation of a row by a profile, rounded up, as a share of the limit's half range; negative if none.
+    #[must_use]
+    pub fn largest_excess(&self, profile: &[f64]) -> f64 {
+        let mut worst = f64::NEG_INFINITY;
+        for interval in 0..self.h.len() {
+            for strip in self.interval(interval) {
+                let excess = strip.excess(profile[interval], profile[interval + 1]);
+                worst = if excess.is_nan() { f64::INFINITY } else { worst.max(excess) };
+            }
+        }
+        worst
+    }
+}
+
+/// Where a row is taken.
+#[derive(Clone, Copy)]
+struct Origin {
+    node: usize,
+    sample: usize,
+}
+
+impl Origin {
+    #[allow(clippy::cast_possible_truncation)]
+    fn of(self, kind: LimitKind, index: usize) -> RowSource {
+        RowSource { kind, index: index as u16, sample: self.sample as u16, node: self.node as u32 }
     }
 }
 
 fn check_finite(piece: &SampledPiece, index: usize) -> Result<(), OptimumError> {
-    let finite = |n: &PathSample| n.first.iter().chain(&n.second).all(|x| x.is_finite());
+    let finite = |n: &PathSample| n.s.is_finite() && n.first.iter().chain(&n.second).all(|x| x.is_finite());
     match piece.nodes.iter().position(|node| !finite(node)) {
         Some(node) => Err(OptimumError::NotFinite { piece: index, node }),
         None => Ok(()),
     }
+}
+
+/// `b` at the ends, where it is given.
+fn given_ends(path: &SampledPath, piece: &SampledPiece, index: usize) -> Result<[Option<f64>; 2], OptimumError> {
+    let given = |rate: EndRate, node: usize| match rate {
+        EndRate::ByLimits => Ok(path.limits_acceleration(piece).then_some(0.0)),
+        EndRate::Free => Ok(None),
+        EndRate::Given(rate) if rate >= 0.0 && rate.is_finite() => Ok(Some(rate * rate)),
+        EndRate::Given(_) => Err(OptimumError::NotFinite { piece: index, node }),
+    };
+    Ok([given(piece.start, 0)?, given(piece.end, piece.nodes.len() - 1)?])
 }
 
 /// Where no joint moves (a cusp of the path) the speed limits leave `b` unbounded. There it is bounded as if the joints moved
@@ -107,55 +309,17 @@ const CUSP: f64 = 1e-3;
 fn speed_caps(path: &SampledPath, piece: &SampledPiece) -> Vec<f64> {
     let slowness: Vec<f64> = piece.nodes.iter().map(|node| path.slowness(node)).collect();
     let floor = CUSP * slowness.iter().copied().fold(0.0, f64::max);
-    slowness.iter().map(|s| s.max(floor).powi(-2)).collect()
-}
-
-/// `|q' s̈ + q'' b| <= a` at both ends of every interval, scaled to a right-hand side of 1.
-fn acceleration_rows(path: &SampledPath, piece: &SampledPiece, steps: &[f64]) -> Vec<Row> {
-    let Some(limits) = &path.acceleration else { return Vec::new() };
-    let mut rows = Vec::with_capacity(4 * limits.len() * steps.len());
-    for (interval, (pair, step)) in piece.nodes.windows(2).zip(steps).enumerate() {
-        for (end, node) in pair.iter().enumerate() {
-            for (joint, limit) in limits.iter().enumerate() {
-                let slope = node.first[joint] / (2.0 * step * limit);
-                let bend = node.second[joint] / limit;
-                let (before, after) = if end == 0 { (bend - slope, slope) } else { (-slope, slope + bend) };
-                if before == 0.0 && after == 0.0 {
-                    continue;
-                }
-                let source = RowSource { joint, node: interval + end };
-                rows.push(Row { interval, before, after, source });
-                rows.push(Row { interval, before: -before, after: -after, source });
+    slowness
+        .iter()
+        .map(|&s| {
+            if s >= floor {
+                s
+            } else if s < floor {
+                floor
+            } else {
+                s
             }
-        }
-    }
-    rows
-}
-
-/// Lowers the caps to what single rows allow from the ends at rest inwards.
-///
-/// From `before · x + after · y <= 1` with `0 <= x <= cap` follows `y <= (1 + max(0, -before) cap) / after` for
-/// `after > 0`, and the same from the other end. Every feasible profile satisfies the result, which is all that the
-/// certificate needs; on tiny paths it is what keeps the box, and so the gap, small.
-fn tighten(caps: &[f64], rows: &[Row], rests: bool) -> Vec<f64> {
-    let mut caps = caps.to_vec();
-    let last = caps.len() - 1;
-    if rests {
-        (caps[0], caps[last]) = (0.0, 0.0);
-    }
-    let reach = |slope_here: f64, slope_other: f64, cap_other: f64| {
-        let room = Outward::exact(1.0) + Outward::exact((-slope_other).max(0.0)) * Outward::exact(cap_other);
-        (room / Outward::exact(slope_here)).hi
-    };
-    for row in rows {
-        if row.after > 0.0 && caps[row.interval].is_finite() {
-            caps[row.interval + 1] = caps[row.interval + 1].min(reach(row.after, row.before, caps[row.interval]));
-        }
-    }
-    for row in rows.iter().rev() {
-        if row.before > 0.0 && caps[row.interval + 1].is_finite() {
-            caps[row.interval] = caps[row.interval].min(reach(row.before, row.after, caps[row.interval + 1]));
-        }
-    }
-    caps
+            .powi(-2)
+        })
+        .collect()
 }

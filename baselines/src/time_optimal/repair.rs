@@ -1,51 +1,81 @@
-use super::certificate::time_and_gradient;
+use super::certificate::interval_times;
 use super::error::OptimumError;
 use super::piece::PieceProgram;
+use super::reachability::greedy;
 use crate::outward::Outward;
 
-/// Makes a solver's profile feasible: cuts it at the caps and scales it down until every row holds in the re-check.
+/// Shares of the limits' ranges by which a profile inside all rows is looked for, the most generous first.
+const INSETS: [f64; 5] = [3e-2, 3e-3, 1e-4, 1e-6, 1e-9];
+
+/// Makes a solver's profile feasible: cuts it at the caps and blends it with a profile that keeps all rows with room to spare.
 ///
-/// Rows read `A x <= 1`, so `θ x` keeps them for a small enough `θ`: the largest such `θ` is the inverse of the largest
-/// left-hand side. Guaranteed (claim `repair-feasible`): the result satisfies every row and cap, rounding included.
+/// With `A w < c` for the inner profile `w`, `(1 - θ) x + θ w` keeps `A x <= c` as soon as
+/// `θ >= v / (v + r)` in every row that `x` exceeds by `v` and `w` keeps by `r`. The right-hand sides may have any sign, so
+/// scaling towards rest would not do. The inner profile is the greedy one under limits that are narrower by a share; the widest
+/// share that leaves one is used. Guaranteed: the result satisfies every row and cap, rounding included; as a last resort it is the
+/// inner profile itself (claim `repair-feasible`).
 ///
 /// # Errors
 ///
-/// The answer is not finite, not positive, or so far from feasible that scaling it would make it meaningless.
+/// No profile keeps the limits with any room to spare, or the program's limits are kept by no positive profile.
 pub fn repair(program: &PieceProgram, answer: &[f64]) -> Result<Vec<f64>, OptimumError> {
     let free = program.free();
-    if !free.clone().all(|k| answer[k] > 0.0 && answer[k].is_finite()) {
-        return Err(OptimumError::Unrepairable("the profile is not positive and finite"));
+    let usable = free.clone().all(|k| answer[k] > 0.0 && answer[k].is_finite());
+    let cut: Vec<f64> = (0..program.cap.len())
+        .map(|k| if free.contains(&k) { answer[k].min(program.cap[k]) } else { program.cap[k] })
+        .collect();
+    if usable && program.largest_excess(&cut) <= 0.0 {
+        return Ok(cut);
     }
-    let cut: Vec<f64> =
-        answer.iter().enumerate().map(|(k, &x)| if free.contains(&k) { x.min(program.cap[k]) } else { 0.0 }).collect();
-    let mut scale = 1.0;
-    // Once would do in exact arithmetic; the loop absorbs the rounding of the products.
-    for _ in 0..4 {
-        let profile: Vec<f64> = cut.iter().map(|x| x * scale).collect();
-        let worst = largest_row(program, &profile);
-        if worst <= 1.0 {
-            return Ok(profile);
+    let inner = inner_profile(program)?;
+    if !usable {
+        return Ok(inner);
+    }
+    let mut theta = blend_share(program, &cut, &inner);
+    // Once would do in exact arithmetic; doubling absorbs the rounding of the blend.
+    while theta < 1.0 {
+        let blend: Vec<f64> = cut
+            .iter()
+            .zip(&inner)
+            .enumerate()
+            .map(|(k, (x, w))| if free.contains(&k) { (x + theta * (w - x)).min(program.cap[k]) } else { *x })
+            .collect();
+        if program.largest_excess(&blend) <= 0.0 {
+            return Ok(blend);
         }
-        scale = (scale / worst) * (1.0 - 4.0 * f64::EPSILON);
+        theta = 2.0 * theta + f64::EPSILON;
     }
-    Err(OptimumError::Unrepairable("a limit stays exceeded however slow the profile"))
+    Ok(inner)
 }
 
-/// The largest left-hand side of a row, rounded up; infinite if a number is not finite.
-fn largest_row(program: &PieceProgram, profile: &[f64]) -> f64 {
-    program
-        .rows
+/// A positive profile inside all rows, rounding included.
+fn inner_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumError> {
+    INSETS
         .iter()
-        .map(|row| {
-            let before = Outward::exact(row.before) * Outward::exact(profile[row.interval]);
-            let after = Outward::exact(row.after) * Outward::exact(profile[row.interval + 1]);
-            (before + after).hi
-        })
-        .fold(0.0, |worst: f64, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+        .filter_map(|&inset| greedy(&program.narrowed(inset)).ok())
+        .find(|w| program.free().all(|k| w[k] > 0.0) && program.largest_excess(w) <= 0.0)
+        .ok_or(OptimumError::Unrepairable("no profile keeps the limits with room to spare"))
+}
+
+/// The least `θ` that mends every row, up to rounding; 1 if a row cannot be mended.
+fn blend_share(program: &PieceProgram, profile: &[f64], inner: &[f64]) -> f64 {
+    let mut theta: f64 = 0.0;
+    for interval in 0..program.h.len() {
+        for strip in program.interval(interval) {
+            let excess = strip.excess(profile[interval], profile[interval + 1]);
+            if excess > 0.0 {
+                let room = -strip.excess(inner[interval], inner[interval + 1]);
+                theta = theta.max(if room > 0.0 { excess / (excess + room) } else { 1.0 });
+            } else if excess.is_nan() {
+                theta = 1.0;
+            }
+        }
+    }
+    theta * (1.0 + 1e-9)
 }
 
 /// Travel time of a profile, s.
 #[must_use]
 pub fn feasible_time(program: &PieceProgram, profile: &[f64]) -> Outward {
-    time_and_gradient(program, profile).0 * program.unit_time()
+    interval_times(program, profile).fold(Outward::ZERO, |sum, time| sum + time) * program.unit_time()
 }

@@ -84,9 +84,8 @@ fn summarise(
     let speed_only = match &path.acceleration {
         None => None,
         Some(_) => {
-            let without = |path: &SampledPath| SampledPath { acceleration: None, ..path.clone() };
-            let refined = time_optimum(&without(finer))?.duration_s;
-            Some(OptimumEntry::new(&time_optimum(&without(path))?, closed_form, refined))
+            let refined = time_optimum(&finer.under_speed_limits_alone())?.duration_s;
+            Some(OptimumEntry::new(&time_optimum(&path.under_speed_limits_alone())?, closed_form, refined))
         }
     };
     let methods: Vec<MethodEntry> = traces.iter().map(|trace| MethodEntry::new(trace, &entry)).collect();

@@ -1,9 +1,13 @@
 use crate::error::LabError;
 use crate::joint_path::{JointPath, JointPoint, Piece, PieceKind};
+use crate::limits::{EndRate, LimitKind, LinearLimit, SpeedLimit};
 use crate::problem::{ControlSettings, Problem};
 use slideway_conditioner::bounds;
 
 /// A joint path sampled on a grid, with its limits: what an offline optimum needs, whatever the number of joints.
+///
+/// Limits that hold everywhere are here; those that vary along the path, torque and tool limits are in each
+/// [`PathSample`]. All of them apply.
 #[derive(Clone, Debug)]
 pub struct SampledPath {
     /// Number of joints.
@@ -27,10 +31,14 @@ pub struct SampledPiece {
     pub between: Vec<Vec<PathSample>>,
     /// Whether the tool stands still along the piece.
     pub is_self_motion: bool,
+    /// Path rate at the first node.
+    pub start: EndRate,
+    /// Path rate at the last node.
+    pub end: EndRate,
 }
 
 /// One point of a sampled joint path.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PathSample {
     /// The piece's parameter.
     pub s: f64,
@@ -40,6 +48,10 @@ pub struct PathSample {
     pub first: Vec<f64>,
     /// `q''(s)`, rad.
     pub second: Vec<f64>,
+    /// Limits linear in `s̈` and `ṡ²` at this point, besides the path's own.
+    pub limits: Vec<LinearLimit>,
+    /// Bounds on `ṡ` at this point, besides the path's own.
+    pub speeds: Vec<SpeedLimit>,
 }
 
 impl SampledPath {
@@ -50,15 +62,55 @@ impl SampledPath {
         self.pieces.iter().map(|piece| self.piece_time(piece)).sum()
     }
 
-    /// The largest use of a speed limit per unit of path speed: `1 / ṡ_max`.
+    /// The largest use of a speed limit per unit of path speed: `1 / ṡ_max`. NaN if a limit has the wrong sign.
     #[must_use]
     pub fn slowness(&self, sample: &PathSample) -> f64 {
-        sample
-            .first
-            .iter()
-            .zip(self.speed_lower.iter().zip(&self.speed_upper))
-            .map(|(&v, (&lo, &up))| if v < 0.0 { v / lower_or_nan(lo) } else { v / up })
-            .fold(0.0, f64::max)
+        let joints = sample.first.iter().zip(self.speed_lower.iter().zip(&self.speed_upper));
+        let mut worst = joints
+            .map(|(&v, (&lo, &up))| if v < 0.0 { v / lower_or_nan(lo) } else { v / upper_or_nan(up) })
+            .fold(0.0, max_or_nan);
+        for limit in &sample.speeds {
+            worst = max_or_nan(worst, 1.0 / upper_or_nan(limit.rate));
+        }
+        worst
+    }
+
+    /// The speed limit that bounds the path rate at a sample: what it is on and which joint's.
+    #[must_use]
+    pub fn tightest_speed(&self, sample: &PathSample) -> (LimitKind, usize) {
+        let mut tightest = (0.0, LimitKind::JointSpeed, 0);
+        for (i, (&v, (&lo, &up))) in sample.first.iter().zip(self.speed_lower.iter().zip(&self.speed_upper)).enumerate()
+        {
+            let use_of = if v < 0.0 { v / lo } else { v / up };
+            if use_of > tightest.0 {
+                tightest = (use_of, LimitKind::JointSpeed, i);
+            }
+        }
+        for limit in &sample.speeds {
+            if 1.0 / limit.rate > tightest.0 {
+                tightest = (1.0 / limit.rate, limit.kind, limit.index);
+            }
+        }
+        (tightest.1, tightest.2)
+    }
+
+    /// The same path under its speed limits alone, its ends free.
+    #[must_use]
+    pub fn under_speed_limits_alone(&self) -> Self {
+        let mut path = Self { acceleration: None, ..self.clone() };
+        for piece in &mut path.pieces {
+            (piece.start, piece.end) = (EndRate::Free, EndRate::Free);
+            for sample in piece.nodes.iter_mut().chain(piece.between.iter_mut().flatten()) {
+                sample.limits.clear();
+            }
+        }
+        path
+    }
+
+    /// Whether a limit depends on the acceleration along a piece.
+    #[must_use]
+    pub fn limits_acceleration(&self, piece: &SampledPiece) -> bool {
+        self.acceleration.is_some() || piece.nodes.iter().any(|node| !node.limits.is_empty())
     }
 
     /// Bound on the largest use of a speed limit by the explicit sliding mode, without tracking error (claim
@@ -84,9 +136,19 @@ impl SampledPath {
     }
 }
 
+/// The larger of two numbers, NaN if one of them is: a ratio that is no number must not pass as a small one.
+fn max_or_nan(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
 /// A lower limit is negative by construction; anything else must not pass as a small ratio.
 fn lower_or_nan(lower: f64) -> f64 {
     if lower < 0.0 { lower } else { f64::NAN }
+}
+
+/// An upper limit is positive by construction.
+fn upper_or_nan(upper: f64) -> f64 {
+    if upper > 0.0 { upper } else { f64::NAN }
 }
 
 impl SampledPiece {
@@ -156,7 +218,13 @@ fn sample_piece<const N: usize>(
             .collect::<Result<Vec<_>, _>>()
     };
     let between = grid.windows(2).map(inner).collect::<Result<_, _>>()?;
-    Ok(SampledPiece { nodes, between, is_self_motion: matches!(piece.kind(), PieceKind::SelfMotion { .. }) })
+    Ok(SampledPiece {
+        nodes,
+        between,
+        is_self_motion: matches!(piece.kind(), PieceKind::SelfMotion { .. }),
+        start: EndRate::ByLimits,
+        end: EndRate::ByLimits,
+    })
 }
 
 fn path_sample<const N: usize>(s: f64, point: &JointPoint<N>) -> PathSample {
@@ -165,5 +233,7 @@ fn path_sample<const N: usize>(s: f64, point: &JointPoint<N>) -> PathSample {
         lambda: point.lambda,
         first: point.first.iter().copied().collect(),
         second: point.second.iter().copied().collect(),
+        limits: Vec::new(),
+        speeds: Vec::new(),
     }
 }

@@ -1,0 +1,343 @@
+use super::strip::{Side, Strip};
+use crate::outward::Outward;
+
+/// A line in the plane of `(x, y)`, by where it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Line {
+    /// The bound on the neighbour's value `y`.
+    Neighbour,
+    /// A strip, by its place in the program's list.
+    Strip(usize),
+}
+
+/// Why `x` is bounded as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Reason {
+    /// The node's own box.
+    #[default]
+    Box,
+    /// One row that does not contain `y`.
+    Row(usize, Side),
+    /// `low` must not lie above `high`: `(p_low - p_high) x <= q_high - q_low`.
+    Pair { low: Line, high: Line },
+}
+
+/// A proof that an interval has no point: `low` lies above `high` for every `x` that `bound` leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Clash {
+    /// A row without unknowns whose bound is negative.
+    Row(usize, Side),
+    /// The bounds on `x` exclude each other.
+    Bounds { low: Reason, high: Reason },
+    /// Two lines and the bound on `x` that would have to give way.
+    Pair { low: Line, high: Line, bound: Reason },
+}
+
+/// Which of the two unknowns is projected out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Direction {
+    /// `x` is the node before, `y` the node after.
+    Backward,
+    /// `x` is the node after, `y` the node before.
+    Forward,
+}
+
+impl Direction {
+    /// Coefficients of `x` and `y`.
+    pub(super) fn coefficients(self, strip: &Strip) -> (f64, f64) {
+        match self {
+            Self::Backward => (strip.before, strip.after),
+            Self::Forward => (strip.after, strip.before),
+        }
+    }
+}
+
+/// Which end of the feasible range of `x`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Extreme {
+    /// The least `x`.
+    Least,
+    /// The greatest `x`.
+    Greatest,
+}
+
+/// The rows of one interval as lines `y = p x + q`: a two-variable linear program, ready to be solved for the extremes of
+/// `x` or of `y` at a given `x`. Reused from interval to interval.
+#[derive(Default)]
+pub(super) struct IntervalProgram {
+    slope: Vec<f64>,
+    low: Vec<f64>,
+    high: Vec<f64>,
+    line: Vec<Line>,
+    x: [f64; 2],
+    reasons: [Reason; 2],
+}
+
+/// The highest lower line and the lowest upper line at some `x`.
+struct Envelope {
+    low: f64,
+    high: f64,
+    low_line: usize,
+    high_line: usize,
+}
+
+impl IntervalProgram {
+    /// Takes the strips `first..` of an interval, the box of `x` and the range of `y`.
+    pub(super) fn load(
+        &mut self,
+        strips: &[Strip],
+        first: usize,
+        direction: Direction,
+        x: [f64; 2],
+        y: [f64; 2],
+    ) -> Result<(), Clash> {
+        self.slope.clear();
+        self.low.clear();
+        self.high.clear();
+        self.line.clear();
+        self.push(0.0, y[0], y[1], Line::Neighbour);
+        self.x = x;
+        self.reasons = [Reason::Box; 2];
+        for (offset, strip) in strips.iter().enumerate() {
+            let (near, far) = direction.coefficients(strip);
+            let inverse = far.recip();
+            if far == 0.0 || !inverse.is_finite() {
+                self.bound_x(strip, near, first + offset)?;
+                continue;
+            }
+            let (a, b) = (strip.lower * inverse, strip.upper * inverse);
+            let (low, high) = if inverse > 0.0 { (a, b) } else { (b, a) };
+            self.push(-near * inverse, low, high, Line::Strip(first + offset));
+        }
+        if self.x[0] > self.x[1] {
+            return Err(Clash::Bounds { low: self.reasons[0], high: self.reasons[1] });
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, slope: f64, low: f64, high: f64, line: Line) {
+        self.slope.push(slope);
+        self.low.push(low);
+        self.high.push(high);
+        self.line.push(line);
+    }
+
+    /// A row without `y` bounds `x`, or holds everywhere, or nowhere.
+    fn bound_x(&mut self, strip: &Strip, near: f64, index: usize) -> Result<(), Clash> {
+        if near == 0.0 {
+            if strip.lower > 0.0 {
+                return Err(Clash::Row(index, Side::Lower));
+            }
+            return if strip.upper < 0.0 { Err(Clash::Row(index, Side::Upper)) } else { Ok(()) };
+        }
+        let (a, b) = (strip.lower / near, strip.upper / near);
+        let sides = [(a, Side::Lower), (b, Side::Upper)];
+        let [least, greatest] = if near > 0.0 { sides } else { [sides[1], sides[0]] };
+        if least.0 > self.x[0] {
+            (self.x[0], self.reasons[0]) = (least.0, Reason::Row(index, least.1));
+        }
+        if greatest.0 < self.x[1] {
+            (self.x[1], self.reasons[1]) = (greatest.0, Reason::Row(index, greatest.1));
+        }
+        Ok(())
+    }
+
+    fn envelope(&self, x: f64) -> Envelope {
+        let mut e = Envelope { low: f64::NEG_INFINITY, high: f64::INFINITY, low_line: 0, high_line: 0 };
+        for (i, ((&p, &low), &high)) in self.slope.iter().zip(&self.low).zip(&self.high).enumerate() {
+            let (low, high) = (p * x + low, p * x + high);
+            if low > e.low {
+                (e.low, e.low_line) = (low, i);
+            }
+            if high < e.high {
+                (e.high, e.high_line) = (high, i);
+            }
+        }
+        e
+    }
+
+    /// The least or greatest `x` for which some `y` keeps every row.
+    ///
+    /// The gap `F(x) = max low - min high` is convex and piecewise linear, and `x` is feasible where `F <= 0`. Newton's method
+    /// from the end of the box stops at the root after finitely many steps, each of which eliminates `y` from one pair of
+    /// rows; a slope of `F` that leads away from the box proves that there is none.
+    pub(super) fn extreme(&self, which: Extreme) -> Result<(f64, Reason), Clash> {
+        let (start, far, sign) = match which {
+            Extreme::Least => (0, 1, -1.0),
+            Extreme::Greatest => (1, 0, 1.0),
+        };
+        let (mut x, mut reason) = (self.x[start], self.reasons[start]);
+        // Each step takes another pair of lines; the bound only guards against cycling through rounding.
+        for _ in 0..4 * self.line.len() + 8 {
+            let e = self.envelope(x);
+            if !(e.low > e.high) {
+                break;
+            }
+            let pair = (self.line[e.low_line], self.line[e.high_line]);
+            let slope = self.slope[e.low_line] - self.slope[e.high_line];
+            if !(slope * sign > 0.0) {
+                return Err(Clash::Pair { low: pair.0, high: pair.1, bound: reason });
+            }
+            let next = (self.high[e.high_line] - self.low[e.low_line]) / slope;
+            if !((x - next) * sign > 0.0) {
+                break;
+            }
+            if (self.x[far] - next) * sign > 0.0 {
+                return Err(Clash::Pair { low: pair.0, high: pair.1, bound: self.reasons[far] });
+            }
+            (x, reason) = (next, Reason::Pair { low: pair.0, high: pair.1 });
+        }
+        Ok((x, reason))
+    }
+
+    /// The greatest value after an interval that its strips allow, given the value `x` before it.
+    pub(super) fn greatest_after(strips: &[Strip], x: f64) -> f64 {
+        let mut greatest = f64::INFINITY;
+        for strip in strips {
+            let bound = if strip.after > 0.0 { strip.upper } else { strip.lower };
+            if strip.after != 0.0 {
+                greatest = greatest.min((bound - strip.before * x) / strip.after);
+            }
+        }
+        greatest
+    }
+}
+
+/// The bound on `x` that a reason proves, rounded outwards, given the range of `y`: valid whether or not the pair was well chosen.
+pub(super) fn proven_bound(
+    reason: Reason,
+    which: Extreme,
+    strips: &[Strip],
+    direction: Direction,
+    y: [f64; 2],
+) -> Option<f64> {
+    let outer = |value: Outward| match which {
+        Extreme::Least => value.lo,
+        Extreme::Greatest => value.hi,
+    };
+    match reason {
+        Reason::Box => None,
+        Reason::Row(index, side) => {
+            let (near, _) = direction.coefficients(&strips[index]);
+            let bound = if side == Side::Upper { strips[index].upper } else { strips[index].lower };
+            Some(outer(Outward::exact(bound) / Outward::exact(near)))
+        }
+        Reason::Pair { low, high } => {
+            let (p_low, q_low) = outward_line(low, Extreme::Least, strips, direction, y);
+            let (p_high, q_high) = outward_line(high, Extreme::Greatest, strips, direction, y);
+            let slope = p_low - p_high;
+            let right_sign = match which {
+                Extreme::Greatest => slope.lo > 0.0,
+                Extreme::Least => slope.hi < 0.0,
+            };
+            right_sign.then(|| outer((q_high - q_low) / slope))
+        }
+    }
+}
+
+/// `(p, q)` of a lower (`Least`) or upper line.
+fn outward_line(line: Line, which: Extreme, strips: &[Strip], direction: Direction, y: [f64; 2]) -> (Outward, Outward) {
+    match line {
+        Line::Neighbour => (Outward::ZERO, Outward::exact(if which == Extreme::Least { y[0] } else { y[1] })),
+        Line::Strip(index) => {
+            let (near, far) = direction.coefficients(&strips[index]);
+            let bound =
+                if bounding_side(far, which) == Side::Upper { strips[index].upper } else { strips[index].lower };
+            (-Outward::exact(near) / Outward::exact(far), Outward::exact(bound) / Outward::exact(far))
+        }
+    }
+}
+
+/// Which bound of a strip gives its lower (`Least`) or upper line, by the sign of the coefficient of `y`.
+pub(super) fn bounding_side(far: f64, which: Extreme) -> Side {
+    if (far > 0.0) == (which == Extreme::Greatest) { Side::Upper } else { Side::Lower }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::time_optimal::strip::RowSource;
+    use proptest::prelude::*;
+    use slideway_lab::LimitKind;
+
+    const SOURCE: RowSource = RowSource { kind: LimitKind::JointTorque, index: 0, sample: 0, node: 0 };
+
+    /// All half-planes `a x + b y <= c` of a program.
+    fn half_planes(strips: &[Strip], x: [f64; 2], y: [f64; 2]) -> Vec<[f64; 3]> {
+        let mut planes = vec![[1.0, 0.0, x[1]], [-1.0, 0.0, -x[0]], [0.0, 1.0, y[1]], [0.0, -1.0, -y[0]]];
+        for s in strips {
+            planes.push([s.before, s.after, s.upper]);
+            planes.push([-s.before, -s.after, -s.lower]);
+        }
+        planes
+    }
+
+    /// The naive twin: every intersection of two half-planes' borders that lies in all of them, all moved out by `shift`.
+    fn vertices(planes: &[[f64; 3]], shift: f64) -> Vec<[f64; 2]> {
+        let planes: Vec<[f64; 3]> = planes.iter().map(|p| [p[0], p[1], p[2] + shift]).collect();
+        let mut found = Vec::new();
+        for (i, a) in planes.iter().enumerate() {
+            for b in &planes[..i] {
+                let det = a[0] * b[1] - a[1] * b[0];
+                if det.abs() < 1e-9 {
+                    continue;
+                }
+                let p = [(a[2] * b[1] - a[1] * b[2]) / det, (a[0] * b[2] - a[2] * b[0]) / det];
+                if planes.iter().all(|c| c[0] * p[0] + c[1] * p[1] <= c[2] + 1e-8) {
+                    found.push(p);
+                }
+            }
+        }
+        found
+    }
+
+    fn strip() -> impl Strategy<Value = Strip> {
+        // Exact zeros must occur: they are the rows without one of the unknowns.
+        let coefficient = || prop_oneof![4 => -3.0..3.0_f64, 1 => Just(0.0)];
+        (coefficient(), coefficient(), -1.0..0.6_f64, 0.0..1.0_f64).prop_map(|(before, after, lower, width)| Strip {
+            before,
+            after,
+            lower,
+            upper: lower + width,
+            source: SOURCE,
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn extremes_are_those_of_the_vertices(strips in prop::collection::vec(strip(), 1..8), forward in any::<bool>()) {
+            let direction = if forward { Direction::Forward } else { Direction::Backward };
+            let (x, y) = ([0.0, 1.5], [0.1, 1.2]);
+            let mut program = IntervalProgram::default();
+            let solved = program.load(&strips, 0, direction, x, y).and_then(|()| {
+                Ok([program.extreme(Extreme::Least)?, program.extreme(Extreme::Greatest)?])
+            });
+            let planes = if forward { half_planes(&strips, y, x) } else { half_planes(&strips, x, y) };
+            let axis = usize::from(forward);
+            // Vertices of nearly parallel borders are off by rounding over the sine of their angle, at most 1e-16 / 1e-9.
+            let outer = vertices(&planes, 1e-6);
+            match solved {
+                Ok([(least, low_reason), (greatest, high_reason)]) => {
+                    let inner = vertices(&planes, -1e-6);
+                    prop_assert!(!outer.is_empty());
+                    prop_assert!(inner.iter().all(|p| least <= p[axis] + 1e-6 && p[axis] <= greatest + 1e-6));
+                    let e = [least, greatest].map(|x| { let e = program.envelope(x); e.low - e.high });
+                    prop_assert!(e.iter().all(|gap| *gap <= 1e-9), "gaps {e:?}");
+                    for (value, reason, which) in [(least, low_reason, Extreme::Least), (greatest, high_reason, Extreme::Greatest)] {
+                        if let Some(bound) = proven_bound(reason, which, &strips, direction, y) {
+                            let outside = if which == Extreme::Least { value - bound } else { bound - value };
+                            prop_assert!((-1e-12..1e-6).contains(&outside), "{outside}");
+                        }
+                    }
+                    // The extremes are attained at vertices wherever the outer set has them.
+                    let reach = |better: fn(f64, f64) -> f64| outer.iter().map(|p| p[axis]).reduce(better);
+                    prop_assert!(reach(f64::max).is_some_and(|m| greatest <= m + 1e-6));
+                    prop_assert!(reach(f64::min).is_some_and(|m| least >= m - 1e-6));
+                }
+                Err(_) => prop_assert!(vertices(&planes, -1e-6).is_empty()),
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+use slideway_lab::{LimitKind, LinearLimit};
+
+/// A limit at one point of an interval, as both of its rows:
+/// `lower <= before · x_k + after · x_{k+1} <= upper`.
+///
+/// At the share `θ` of the interval `b = (1 - θ) b_k + θ b_{k+1}` and `s̈ = (b_{k+1} - b_k) / (2 Δs)`, so
+/// `a s̈ + c b + d` between bounds has `before = (1 - θ) c - a / (2 Δs)` and `after = θ c + a / (2 Δs)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strip {
+    /// Coefficient of `x_k`.
+    pub before: f64,
+    /// Coefficient of `x_{k+1}`.
+    pub after: f64,
+    /// Lower bound; may be infinite.
+    pub lower: f64,
+    /// Upper bound; may be infinite.
+    pub upper: f64,
+    /// Where it comes from.
+    pub source: RowSource,
+}
+
+/// The limit behind a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RowSource {
+    /// What is limited.
+    pub kind: LimitKind,
+    /// Joint, or side of a polygon, counted from 0.
+    pub index: u16,
+    /// 0: the limit is taken at `node`; `j > 0`: at sample `j - 1` of the interval after `node`.
+    pub sample: u16,
+    /// Node, counted from 0.
+    pub node: u32,
+}
+
+/// Which bound of a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The lower one.
+    Lower,
+    /// The upper one.
+    Upper,
+}
+
+/// One row: `before · x_k + after · x_{k+1} <= bound`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// The interval `k`.
+    pub interval: usize,
+    /// Coefficient of `x_k`.
+    pub before: f64,
+    /// Coefficient of `x_{k+1}`.
+    pub after: f64,
+    /// Right-hand side, of any sign.
+    pub bound: f64,
+    /// Where it comes from.
+    pub source: RowSource,
+}
+
+/// A place in an interval: the share `θ` of it, and half the inverse of its length.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) share: f64,
+    pub(super) half_inverse: f64,
+}
+
+impl Strip {
+    /// The strip of a limit, scaled by a power of two (hence exactly) so that the distance of its bounds is of order 1.
+    pub(super) fn new(limit: &LinearLimit, place: Place, source: RowSource) -> Self {
+        let slope = limit.acceleration * place.half_inverse;
+        let scale = power_of_two(limit.half_range()).recip();
+        Self {
+            before: ((1.0 - place.share) * limit.square - slope) * scale,
+            after: (place.share * limit.square + slope) * scale,
+            lower: (limit.lower - limit.offset) * scale,
+            upper: (limit.upper - limit.offset) * scale,
+            source,
+        }
+    }
+
+    /// Half the distance of the bounds, or the size of the only one: what a violation is measured by.
+    pub(super) fn half_range(&self) -> f64 {
+        let half = 0.5 * (self.upper - self.lower);
+        if half.is_finite() && half > 0.0 { half } else { 1.0 }
+    }
+
+    /// An upper bound on how far outside the strip a pair of values is, as a share of the half range; negative inside.
+    ///
+    /// Two products, a sum and a difference, each rounded once: the error is at most `2 ε (|α x| + |β y| + |bound|)` with the
+    /// unit round-off `ε / 2` to first order; 4 instead of 2 covers the higher orders and the sum's own rounding.
+    pub(super) fn excess(&self, x: f64, y: f64) -> f64 {
+        let (first, second) = (self.before * x, self.after * y);
+        let value = first + second;
+        let rounding = |bound: f64| 4.0 * f64::EPSILON * (first.abs() + second.abs() + bound.abs()) + f64::MIN_POSITIVE;
+        let over = if self.upper.is_finite() { value - self.upper + rounding(self.upper) } else { f64::NEG_INFINITY };
+        let under = if self.lower.is_finite() { self.lower - value + rounding(self.lower) } else { f64::NEG_INFINITY };
+        (if over >= under { over } else { under }) / self.half_range()
+    }
+
+    /// The row of one bound, unless that is infinite.
+    pub(super) fn row(&self, interval: usize, side: Side) -> Option<Row> {
+        let (sign, bound) = match side {
+            Side::Upper => (1.0, self.upper),
+            Side::Lower => (-1.0, -self.lower),
+        };
+        let row = Row { interval, before: sign * self.before, after: sign * self.after, bound, source: self.source };
+        bound.is_finite().then_some(row)
+    }
+
+    /// Whether the numbers are usable: finite coefficients, bounds that are numbers in the right order.
+    pub(super) fn is_valid(&self) -> bool {
+        self.before.is_finite() && self.after.is_finite() && self.lower <= self.upper
+    }
+}
+
+/// The largest power of two up to a positive normal number; 1 for anything else.
+pub(super) fn power_of_two(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    if x.is_normal() && x > 0.0 { f64::from_bits(x.to_bits() & EXPONENT) } else { 1.0 }
+}
