@@ -12,7 +12,9 @@
 //! ```
 
 mod arm;
+mod description;
 mod dh;
+mod dynamics;
 mod error;
 pub mod euler;
 mod inverse;
@@ -22,9 +24,12 @@ pub mod models;
 mod numeric_ik;
 mod rotation;
 mod spherical_wrist;
+mod urdf;
 
 pub use arm::{Joint, JointKind, LinkFrames, SerialArm};
+pub use description::{JointDescription, JointLimits, PositionRange, RobotDescription};
 pub use dh::DhRow;
+pub use dynamics::{Drive, DriveEffects, Dynamics, DynamicsError, Friction, GRAVITY, LinkInertia, MassMatrix};
 pub use error::RobotError;
 pub use euler::EulerAngles;
 pub use inverse::{InverseMethod, Task, adjugate, solve_rates};
@@ -32,6 +37,7 @@ pub use jacobi_svd::JacobiSvd;
 pub use numeric_ik::{NumericIk, NumericIkSettings};
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
+pub use urdf::{ChainEnds, UrdfError};
 
 /// Position and orientation of a frame, stored as a rotation matrix and a vector.
 pub type Pose = nalgebra::IsometryMatrix3<f64>;
