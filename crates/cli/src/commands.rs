@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command};
-use crate::compare;
 use crate::diagnostic::CliError;
+use crate::{compare, robot};
 use slideway_lab::{BUILT_IN, Scenario, TEMPLATE};
 use std::io::Write as _;
 use std::path::Path;
@@ -26,6 +26,7 @@ impl Outcome {
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Robot(arguments) => robot::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file } => init(&file),
@@ -79,7 +80,8 @@ pub(crate) fn load(name: &str) -> Result<Scenario, CliError> {
     }
     let text = Scenario::read_text(path).map_err(|error| scenario_error(error, name, None))?;
     let stem = path.file_stem().map_or_else(|| "scenario".into(), |s| s.to_string_lossy().into_owned());
-    Scenario::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))
+    let scenario = Scenario::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))?;
+    Ok(scenario.in_folder_of(path))
 }
 
 pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Option<String>) -> CliError {
@@ -97,7 +99,7 @@ fn unknown(name: &str) -> CliError {
 }
 
 /// Levenshtein distance, for suggesting a name.
-fn edit_distance(a: &str, b: &str) -> usize {
+pub(crate) fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.chars().enumerate() {

@@ -7,6 +7,8 @@ mod commands;
 mod compare;
 mod diagnostic;
 mod report;
+mod robot;
+mod robot_state;
 mod summary;
 mod table;
 mod verdict;

@@ -143,7 +143,7 @@ impl Formula {
 /// # Errors
 ///
 /// It does not parse, uses a name other than `pi`, or is not finite.
-pub(crate) fn constant(text: &str) -> Result<f64, FormulaError> {
+pub fn constant(text: &str) -> Result<f64, FormulaError> {
     let expression = Expression::parse(text)
         .map_err(|error| FormulaError::Syntax { text: text.to_owned(), reason: error.to_string() })?;
     let value = Compiled::new(expression, text, None)?.value(0.0);

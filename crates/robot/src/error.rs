@@ -16,7 +16,7 @@ pub enum RobotError {
         value: f64,
     },
     /// The arm does not have the geometry that the closed-form inverse kinematics needs.
-    #[error("closed-form inverse kinematics needs a spherical wrist on a PUMA-like arm: {reason}")]
+    #[error("closed-form inverse kinematics needs a spherical wrist: {reason}")]
     NotSphericalWrist {
         /// The first condition that fails.
         reason: &'static str,
@@ -40,6 +40,16 @@ pub enum RobotError {
         orientation_error: f64,
         /// Iterations spent.
         iterations: usize,
+    },
+    /// The numeric inverse kinematics found the pose only outside the joints' ranges.
+    #[error("every position found lies outside the joint limits, for instance joint {} at {value:.4} ({trials} seeds tried)", joint + 1)]
+    OutsideLimits {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// Its position, rad or m.
+        value: f64,
+        /// Seeds tried.
+        trials: usize,
     },
     /// The determinant-based inverse needs as many joints as task coordinates.
     #[error(

@@ -192,8 +192,8 @@ fn links_and_drives_that_no_machine_has_are_refused_with_their_place() {
     let rod = LinkInertia { mass: 1.0, com: Vector3::zeros(), inertia: Matrix3::identity() };
     let skewed = Matrix3::new(1.0, 0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
     for (bad, says) in [
-        (LinkInertia { mass: -1.0, ..rod }, "link 2: mass is -1"),
-        (LinkInertia { mass: f64::NAN, ..rod }, "link 2: mass is NaN"),
+        (LinkInertia { mass: -1.0, ..rod }, "link 2: its mass is -1"),
+        (LinkInertia { mass: f64::NAN, ..rod }, "link 2: its mass is NaN"),
         (LinkInertia { inertia: -Matrix3::identity(), ..rod }, "negative principal moment"),
         (LinkInertia { inertia: skewed, ..rod }, "not symmetric"),
         (LinkInertia { com: Vector3::new(f64::NAN, 0.0, 0.0), ..rod }, "not finite"),
@@ -203,7 +203,7 @@ fn links_and_drives_that_no_machine_has_are_refused_with_their_place() {
     }
     let drive = Drive { reflected_inertia: -0.1, ..Drive::default() };
     let error = Dynamics::new(arm, [rod; 2]).and_then(|d| d.with_drives([Drive::default(), drive]));
-    assert!(error.expect_err("negative").to_string().contains("joint 2: reflected inertia is -0.1"));
+    assert!(error.expect_err("negative").to_string().contains("joint 2: its reflected inertia is -0.1"));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-use crate::DynamicsError;
+use crate::DriveFault;
 
 /// What a joint's motor and gear add to the rigid body, seen from the joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,7 +51,12 @@ impl Drive {
         }
     }
 
-    pub(crate) fn validate(&self, joint: usize) -> Result<(), DynamicsError> {
+    /// Checks that no parameter is negative or not finite.
+    ///
+    /// # Errors
+    ///
+    /// The first parameter that is.
+    pub fn validate(&self) -> Result<(), DriveFault> {
         let Friction { viscous, forward, backward } = self.friction;
         let fields = [
             ("reflected inertia", self.reflected_inertia),
@@ -60,7 +65,7 @@ impl Drive {
             ("backward Coulomb friction", backward),
         ];
         match fields.into_iter().find(|(_, value)| !(*value >= 0.0 && value.is_finite())) {
-            Some((name, value)) => Err(DynamicsError::Drive { joint, name, value }),
+            Some((name, value)) => Err(DriveFault { name, value }),
             None => Ok(()),
         }
     }

@@ -1,4 +1,4 @@
-use crate::{DynamicsError, Pose};
+use crate::{BodyFault, Pose};
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass, centre of mass and inertia of a link.
@@ -47,22 +47,20 @@ impl LinkInertia {
     ///
     /// # Errors
     ///
-    /// The first condition that fails, for link `link`.
-    pub(crate) fn validate(&self, link: usize) -> Result<(), DynamicsError> {
+    /// The first condition that fails.
+    pub fn validate(&self) -> Result<(), BodyFault> {
         if !(self.mass >= 0.0 && self.mass.is_finite()) {
-            return Err(DynamicsError::Mass { link, value: self.mass });
+            return Err(BodyFault::Mass(self.mass));
         }
         if !self.com.iter().chain(self.inertia.iter()).all(|x| x.is_finite()) {
-            return Err(DynamicsError::Inertia { link, reason: "a number is not finite" });
+            return Err(BodyFault::NotFinite);
         }
         let size = self.inertia.norm();
-        if (self.inertia - self.inertia.transpose()).norm() > SLACK * size {
-            return Err(DynamicsError::Inertia { link, reason: "it is not symmetric" });
+        if !((self.inertia - self.inertia.transpose()).norm() <= SLACK * size) {
+            return Err(BodyFault::NotSymmetric);
         }
-        if self.inertia.symmetric_eigenvalues().min() < -SLACK * size {
-            return Err(DynamicsError::Inertia { link, reason: "it has a negative principal moment" });
-        }
-        Ok(())
+        let smallest = self.inertia.symmetric_eigenvalues().min();
+        if smallest >= -SLACK * size { Ok(()) } else { Err(BodyFault::NegativeMoment(smallest)) }
     }
 }
 

@@ -11,7 +11,7 @@ mod mass_matrix;
 mod newton_euler;
 
 pub use drive::{Drive, DriveEffects, Friction};
-pub use error::DynamicsError;
+pub use error::{BodyFault, DriveFault, DynamicsError};
 pub use link::LinkInertia;
 
 use crate::{JointVector, SerialArm};
@@ -43,7 +43,7 @@ impl<const N: usize> Dynamics<N> {
     /// A link that is no rigid body.
     pub fn new(arm: SerialArm<N>, links: [LinkInertia; N]) -> Result<Self, DynamicsError> {
         for (i, link) in links.iter().enumerate() {
-            link.validate(i)?;
+            link.validate().map_err(|fault| DynamicsError::Link { link: i, fault })?;
         }
         let drives = [Drive::default(); N];
         Ok(Self { arm, links, drives, effects: DriveEffects::default(), gravity: GRAVITY })
@@ -66,7 +66,7 @@ impl<const N: usize> Dynamics<N> {
     /// A parameter that is negative or not finite.
     pub fn with_drives(self, drives: [Drive; N]) -> Result<Self, DynamicsError> {
         for (i, drive) in drives.iter().enumerate() {
-            drive.validate(i)?;
+            drive.validate().map_err(|fault| DynamicsError::Drive { joint: i, fault })?;
         }
         Ok(Self { drives, ..self })
     }

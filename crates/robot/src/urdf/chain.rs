@@ -85,9 +85,8 @@ fn moving_joint(joint: &urdf_rs::Joint, origin: Pose) -> Result<JointDescription
         backward: d.friction,
     });
     let drive = Drive { reflected_inertia: 0.0, friction };
-    let element = || format!("joint `{}`", joint.name);
-    drive.validate(0).map_err(|source| UrdfError::Robot { element: element(), source: source.into() })?;
-    let limits = limits(joint).map_err(|source| UrdfError::Robot { element: element(), source })?;
+    drive.validate().map_err(|fault| UrdfError::Drive { joint: joint.name.clone(), fault })?;
+    let limits = limits(joint).map_err(UrdfError::Limits)?;
     Ok(JointDescription {
         name: joint.name.clone(),
         joint: Joint { origin, axis, kind, offset: 0.0 },
@@ -118,8 +117,7 @@ fn inertia(link: &Link) -> Result<LinkInertia, UrdfError> {
     finite(&inertial.origin.rpy.0, "link", &link.name, "inertial")?;
     let matrix = Matrix3::new(i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz);
     let body = LinkInertia { mass: inertial.mass.value, com: Vector3::zeros(), inertia: matrix };
-    body.validate(0)
-        .map_err(|source| UrdfError::Robot { element: format!("link `{}`", link.name), source: source.into() })?;
+    body.validate().map_err(|fault| UrdfError::Body { link: link.name.clone(), fault })?;
     Ok(body.seen_from(&pose(&inertial.origin)))
 }
 

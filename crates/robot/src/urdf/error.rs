@@ -1,18 +1,19 @@
-use crate::RobotError;
+use crate::{BodyFault, DriveFault, RobotError};
+use std::ops::Range;
 use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why a URDF gives no arm.
-#[derive(Debug, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum UrdfError {
     /// The file cannot be read.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}: {message}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
         /// What the system says.
-        source: std::io::Error,
+        message: String,
     },
     /// The text is not XML, or not a URDF.
     #[error("this is not a URDF: {message}")]
@@ -135,14 +136,25 @@ pub enum UrdfError {
         /// The element.
         part: &'static str,
     },
-    /// Masses, limits or friction that no machine has.
-    #[error("{element}: {source}")]
-    Robot {
-        /// The link or joint.
-        element: String,
+    /// Masses that no rigid body has.
+    #[error("link `{link}`: {fault}")]
+    Body {
+        /// The link.
+        link: String,
         /// What is wrong.
-        source: RobotError,
+        fault: BodyFault,
     },
+    /// Damping or friction that no machine has.
+    #[error("joint `{joint}`: {fault}")]
+    Drive {
+        /// The joint.
+        joint: String,
+        /// What is wrong.
+        fault: DriveFault,
+    },
+    /// Limits that are inverted or not positive.
+    #[error(transparent)]
+    Limits(RobotError),
 }
 
 impl UrdfError {
@@ -169,8 +181,33 @@ impl UrdfError {
             Self::Mimic { .. } => "choose a tip before this joint, or remove its `<mimic>` element".into(),
             Self::Axis { .. } => "give the axis a direction, for example `<axis xyz=\"0 0 1\"/>`".into(),
             Self::NotFinite { .. } => "write finite numbers".into(),
-            Self::Robot { source, .. } => source.remedy(),
+            Self::Body { .. } => "correct the link's `<inertial>` element".into(),
+            Self::Drive { .. } => "correct the joint's `<dynamics>` element".into(),
+            Self::Limits(error) => error.remedy(),
         }
+    }
+
+    /// Where the element that the error is about lies in the text, as a range of bytes: its name.
+    #[must_use]
+    pub fn locate(&self, text: &str) -> Option<Range<usize>> {
+        let name = match self {
+            Self::NamedTwice { name, .. } | Self::NotFinite { name, .. } => name,
+            Self::UnknownLink { joint, .. }
+            | Self::TwoParents { second: joint, .. }
+            | Self::UnsupportedJoint { joint, .. }
+            | Self::Mimic { joint, .. }
+            | Self::Axis { joint }
+            | Self::Drive { joint, .. } => joint,
+            Self::Limits(RobotError::InvertedLimits { joint, .. } | RobotError::LimitNotPositive { joint, .. }) => {
+                joint
+            }
+            Self::Loop { link } | Self::SeveralArms { link, .. } | Self::Body { link, .. } => link,
+            _ => return None,
+        };
+        // The second of two equal names is the one to change; any other name occurs as a name once.
+        let at = text.rfind(&format!("name=\"{name}\"")).or_else(|| text.rfind(&format!("name='{name}'")))?;
+        let begin = at + "name=\"".len();
+        Some(begin..begin + name.len())
     }
 }
 

@@ -28,8 +28,17 @@ impl RobotDescription {
     ///
     /// The file cannot be read, or what [`RobotDescription::parse_urdf`] refuses.
     pub fn read_urdf(path: &Path, ends: &ChainEnds) -> Result<Self, UrdfError> {
-        let read = |source| UrdfError::Read { path: path.to_owned(), source };
-        Self::parse_urdf(&std::fs::read_to_string(path).map_err(read)?, ends)
+        Self::parse_urdf(&Self::read_urdf_text(path)?, ends)
+    }
+
+    /// The text of a URDF file, for showing errors in it.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read.
+    pub fn read_urdf_text(path: &Path) -> Result<String, UrdfError> {
+        std::fs::read_to_string(path)
+            .map_err(|error| UrdfError::Read { path: path.to_owned(), message: error.to_string() })
     }
 
     /// Reads an arm from the text of a URDF.
