@@ -18,6 +18,10 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
     Compare(CompareArguments),
+    /// Print pose, Jacobian and dynamics of a robot at one state.
+    ///
+    /// The PUMA-560's base frame sits at its shoulder, as in [G11]; on its pedestal poses would be 0.67183 m higher.
+    Robot(RobotArguments),
     /// Show the built-in scenarios.
     List,
     /// Print a built-in scenario, to start your own from.
@@ -55,6 +59,39 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
     /// Print summary.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct RobotArguments {
+    /// Name of a built-in robot (puma560, planar-2r, pa10, ur5e, ur20, panda), or path of a URDF file.
+    pub(crate) robot: String,
+    /// Joint positions, rad or m, separated by spaces or commas; `pi / 2` and the like between commas [default: zeros].
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    pub(crate) q: Option<String>,
+    /// Joint speeds [default: zeros].
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    pub(crate) qd: Option<String>,
+    /// Joint accelerations, for the torque [default: zeros].
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    pub(crate) qdd: Option<String>,
+    /// Joint torques, for the acceleration.
+    #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]
+    pub(crate) tau: Option<String>,
+    /// Include the rotors' inertia behind their gears.
+    #[arg(long)]
+    pub(crate) rotor_inertia: bool,
+    /// Include viscous and Coulomb friction.
+    #[arg(long)]
+    pub(crate) friction: bool,
+    /// Base link of the arm in a URDF file [default: the root].
+    #[arg(long, value_name = "LINK")]
+    pub(crate) base: Option<String>,
+    /// Tip link of the arm in a URDF file [default: as far out as a single arm leads].
+    #[arg(long, value_name = "LINK")]
+    pub(crate) tip: Option<String>,
+    /// Print JSON instead of tables.
     #[arg(long)]
     pub(crate) json: bool,
 }

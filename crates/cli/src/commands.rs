@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command, Kind};
-use crate::compare;
 use crate::diagnostic::CliError;
+use crate::{compare, robot};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use std::io::Write as _;
@@ -27,6 +27,7 @@ impl Outcome {
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Robot(arguments) => robot::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
@@ -109,7 +110,14 @@ pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
         Some(built_in) => (name.to_owned(), built_in.text.to_owned()),
         None => read(name)?,
     };
-    Loaded::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))
+    let loaded = Loaded::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))?;
+    Ok(match loaded {
+        // Files that a scenario names lie beside it.
+        Loaded::Speed(scenario) if Path::new(name).exists() => {
+            Loaded::Speed(Box::new(scenario.in_folder_of(Path::new(name))))
+        }
+        loaded => loaded,
+    })
 }
 
 /// The stem and the text of a scenario file.
@@ -138,7 +146,7 @@ fn unknown(name: &str) -> CliError {
 }
 
 /// Levenshtein distance, for suggesting a name.
-fn edit_distance(a: &str, b: &str) -> usize {
+pub(crate) fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.chars().enumerate() {

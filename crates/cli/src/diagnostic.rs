@@ -2,6 +2,8 @@ use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
 use slideway_lab::{LabError, locate};
+use slideway_robot::models::Model;
+use slideway_robot::{RobotError, UrdfError};
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -21,6 +23,24 @@ pub(crate) enum CliError {
     /// A file that exists and must not.
     #[error("{} exists already", path.display())]
     Exists { path: PathBuf },
+    /// Neither a built-in robot nor a file.
+    #[error("there is no built-in robot and no file called `{name}`")]
+    UnknownRobot { name: String, nearest: Option<&'static str> },
+    /// A URDF that gives no arm, with its text if it could be read.
+    #[error("{file}: {error}")]
+    Urdf { error: Box<UrdfError>, file: String, text: Option<String> },
+    /// A robot that cannot do what is asked for.
+    #[error("{name}: {error}")]
+    Robot { error: Box<RobotError>, name: String },
+    /// An arm with too many joints.
+    #[error("{name}: {} joints between `{base}` and `{tip}` ({}); at most {most} are supported", joints.len(), joints.join(", "))]
+    TooManyJoints { name: String, base: String, tip: String, joints: Vec<String>, most: usize },
+    /// An option with a list of numbers that cannot be used.
+    #[error("--{option}: {message}")]
+    Numbers { option: &'static str, message: String, remedy: String },
+    /// An option that the robot has no data for.
+    #[error("--{option}: `{name}` has no {what}")]
+    NoData { option: &'static str, name: String, what: &'static str },
     /// A file or folder that cannot be written.
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: std::io::Error },
@@ -39,6 +59,9 @@ impl CliError {
             Self::Scenario { error, file, text: Some(text) } => {
                 (Some(NamedSource::new(file.clone(), text.clone()).with_language("TOML")), locate(text, error))
             }
+            Self::Urdf { error, file, text: Some(text) } => {
+                (Some(NamedSource::new(file.clone(), text.clone()).with_language("XML")), error.locate(text))
+            }
             _ => (None, None),
         };
         let help = self.remedy();
@@ -55,6 +78,16 @@ impl CliError {
                 "`slideway list` shows the built-in scenarios, `slideway init FILE` writes one of your own".into()
             }
             Self::Option { remedy, .. } => (*remedy).into(),
+            Self::UnknownRobot { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Self::UnknownRobot { nearest: None, .. } => {
+                let names: Vec<&str> = Model::ALL.iter().map(|m| m.name()).collect();
+                format!("give the path of a URDF file, or one of {}", names.join(", "))
+            }
+            Self::Urdf { error, .. } => error.remedy(),
+            Self::Robot { error, .. } => error.remedy(),
+            Self::TooManyJoints { .. } => "choose a shorter arm with --base LINK and --tip LINK".into(),
+            Self::Numbers { remedy, .. } => remedy.clone(),
+            Self::NoData { .. } => "leave the option out, or describe the robot with these data in a URDF file".into(),
             Self::Exists { .. } => "choose another name, or remove the file first".into(),
             Self::Write { .. } => {
                 "check that the folder exists and may be written, or choose another with --out".into()

@@ -10,6 +10,8 @@ mod diagnostic;
 mod path_report;
 mod path_summary;
 mod report;
+mod robot;
+mod robot_state;
 mod summary;
 mod table;
 mod verdict;

@@ -1,6 +1,6 @@
 use crate::formula::FormulaError;
 use slideway_conditioner::ParameterError;
-use slideway_robot::RobotError;
+use slideway_robot::{RobotError, UrdfError};
 use std::ops::Range;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -119,6 +119,14 @@ pub enum Fault {
     /// A robot's parameter or an unreachable pose.
     #[error(transparent)]
     Robot(#[from] RobotError),
+    /// A URDF that gives no arm.
+    #[error("{}: {error}", path.display())]
+    Urdf {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        error: Box<UrdfError>,
+    },
 }
 
 impl Fault {
@@ -134,7 +142,9 @@ impl Fault {
             Self::NotIncreasing { .. } => "order the numbers from small to large, each at most once".into(),
             Self::Missing(_) => "add the key; `slideway init FILE` writes a template with every key explained".into(),
             Self::Conflict(_) => "keep one of the keys".into(),
-            Self::JointCount(_) => "use an arm with 1 to 7 joints".into(),
+            Self::JointCount(_) => {
+                "use an arm with 1 to 7 joints; of a URDF, choose a part with `base` and `tip`".into()
+            }
             Self::OutOfRange { least, most, .. } => format!("give a number from {least} to {most}"),
             Self::UndefinedAt(_) => "change the formula, or the range of the path parameter".into(),
             Self::VanishingGradient { .. } => {
@@ -157,6 +167,7 @@ impl Fault {
                 "use `[robot.inverse.damped-least-squares]` or `[robot.inverse.truncated-svd]`, or another `robot.task`"
                     .into()
             }
+            Self::Urdf { error, .. } => error.remedy(),
             Self::Robot(_) => "see the range in the message".into(),
         }
     }

@@ -1,11 +1,13 @@
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
-use crate::problem::{ControlSettings, Problem, joint_count};
+use crate::problem::{ControlSettings, Problem};
+use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
 use crate::simulate::simulate;
 use crate::trace::Trace;
+use slideway_robot::RobotDescription;
 
 /// A scenario made ready to run, for an arm of any supported number of joints.
 #[derive(Clone, Debug)]
@@ -49,14 +51,15 @@ impl Experiment {
     ///
     /// The first value that cannot be used, or a path that the robot cannot follow.
     pub fn new(scenario: &Scenario) -> Result<Self, LabError> {
-        let arm = match joint_count(scenario)? {
-            1 => Arm::One(Box::new(Traced::new(scenario)?)),
-            2 => Arm::Two(Box::new(Traced::new(scenario)?)),
-            3 => Arm::Three(Box::new(Traced::new(scenario)?)),
-            4 => Arm::Four(Box::new(Traced::new(scenario)?)),
-            5 => Arm::Five(Box::new(Traced::new(scenario)?)),
-            6 => Arm::Six(Box::new(Traced::new(scenario)?)),
-            _ => Arm::Seven(Box::new(Traced::new(scenario)?)),
+        let robot = describe(scenario)?;
+        let arm = match robot.joint_count() {
+            1 => Arm::One(Box::new(Traced::new(scenario, &robot)?)),
+            2 => Arm::Two(Box::new(Traced::new(scenario, &robot)?)),
+            3 => Arm::Three(Box::new(Traced::new(scenario, &robot)?)),
+            4 => Arm::Four(Box::new(Traced::new(scenario, &robot)?)),
+            5 => Arm::Five(Box::new(Traced::new(scenario, &robot)?)),
+            6 => Arm::Six(Box::new(Traced::new(scenario, &robot)?)),
+            _ => Arm::Seven(Box::new(Traced::new(scenario, &robot)?)),
         };
         let mut experiment = Self { arm, shortest_time: 0.0 };
         // A coarse value serves the default rate and the time after which to give up.
@@ -114,8 +117,8 @@ impl Experiment {
 }
 
 impl<const N: usize> Traced<N> {
-    fn new(scenario: &Scenario) -> Result<Self, LabError> {
-        let problem = Problem::new(scenario)?;
+    fn new(scenario: &Scenario, robot: &RobotDescription) -> Result<Self, LabError> {
+        let problem = Problem::new(scenario, robot)?;
         let path = JointPath::trace(&problem)?;
         Ok(Self { problem, path })
     }

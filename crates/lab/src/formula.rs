@@ -151,7 +151,7 @@ impl Formula {
 /// # Errors
 ///
 /// It does not parse, uses a name other than `pi`, or is not finite.
-pub(crate) fn constant(text: &str) -> Result<f64, FormulaError> {
+pub fn constant(text: &str) -> Result<f64, FormulaError> {
     let value = MultiFormula::new(text, &[])?.at(&[]);
     if value.is_finite() { Ok(value) } else { Err(FormulaError::NotFinite { text: text.to_owned(), value }) }
 }

@@ -1,20 +1,17 @@
 use crate::error::{Fault, LabError};
 use crate::path::CartesianPath;
+use crate::robot::robot_key;
 use crate::scenario::Scenario;
 use crate::scenario::number::{Number, PerJoint};
 use crate::scenario::schema::{
-    BranchTable, ControlTable, ElbowName, IntegrationName, InverseTable, LimitsTable, RobotTable, ShoulderName,
-    TaskName, WristName,
+    BranchTable, ControlTable, ElbowName, IntegrationName, InverseTable, LimitsTable, ShoulderName, TaskName, WristName,
 };
 use nalgebra::{Translation3, Vector3, Vector6};
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
-    Branch, DhRow, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, RobotError,
-    SerialArm, Shoulder, SphericalWristIk, Task, Wrist, euler, models,
+    Branch, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, RobotDescription,
+    RobotError, SerialArm, Shoulder, SphericalWristIk, Task, Wrist, euler,
 };
-
-/// Most joints an arm may have.
-pub const MAX_JOINTS: usize = 7;
 
 /// A robot, its task, a path and limits: everything the loop and the optimum need, validated.
 #[derive(Clone, Debug)]
@@ -27,7 +24,7 @@ pub struct Problem<const N: usize> {
     pub inverse: InverseMethod,
     /// The path.
     pub path: CartesianPath,
-    /// Joint-speed limits, rad/s.
+    /// Joint-speed limits, rad/s (m/s for joints that slide).
     pub speed_limits: SpeedLimits<N>,
     /// Joint-acceleration limits, rad/s², symmetric, for the optimum.
     pub acceleration_limits: Option<[f64; N]>,
@@ -87,16 +84,16 @@ impl ControlSettings {
 }
 
 impl<const N: usize> Problem<N> {
-    /// Makes a problem from a scenario for an arm of `N` joints.
+    /// Makes a problem from a scenario and its robot, an arm of `N` joints.
     ///
     /// # Errors
     ///
     /// The first value that cannot be used, with its key.
-    pub(crate) fn new(scenario: &Scenario) -> Result<Self, LabError> {
+    pub(crate) fn new(scenario: &Scenario, robot: &RobotDescription) -> Result<Self, LabError> {
         scenario.check_options()?;
         let file = &scenario.file;
         let task = task(file.robot.task);
-        let arm = arm(&file.robot)?;
+        let arm = robot.arm().map_err(|error| LabError::value(robot_key(&file.robot), error))?;
         let inverse = inverse(&file.robot.inverse);
         inverse.validate(task, N).map_err(|error| LabError::value(inverse_key(&file.robot.inverse, &error), error))?;
         if task.rows().len() > N {
@@ -109,7 +106,7 @@ impl<const N: usize> Problem<N> {
             task,
             inverse,
             path,
-            speed_limits: speed_limits(&file.limits)?,
+            speed_limits: speed_limits(&file.limits, robot)?,
             acceleration_limits: acceleration_limits(&file.limits)?,
             control: control(&file.control)?,
             fixed_speed: fixed_speed(scenario)?,
@@ -186,32 +183,6 @@ pub(crate) fn pose(coordinates: &Vector6<f64>) -> Pose {
     )
 }
 
-/// Number of joints of a scenario's robot.
-pub(crate) fn joint_count(scenario: &Scenario) -> Result<usize, LabError> {
-    match (&scenario.file.robot.model, &scenario.file.robot.dh) {
-        (Some(_), Some(_)) => {
-            Err(LabError::value("robot.dh", Fault::Conflict("`robot.model` and `robot.dh` exclude each other")))
-        }
-        (Some(_), None) => Ok(6),
-        (None, Some(rows)) if (1..=MAX_JOINTS).contains(&rows.len()) => Ok(rows.len()),
-        (None, Some(rows)) => Err(LabError::value("robot.dh", Fault::JointCount(rows.len()))),
-        (None, None) => Err(LabError::value("robot", Fault::Missing("say which robot: `model` or a `dh` table"))),
-    }
-}
-
-fn arm<const N: usize>(table: &RobotTable) -> Result<SerialArm<N>, LabError> {
-    let rows: Vec<DhRow> = match (&table.model, &table.dh) {
-        (_, Some(rows)) => {
-            rows.iter().map(|r| DhRow { a: r.a.0, alpha: r.alpha.0, d: r.d.0, offset: r.offset.0 }).collect()
-        }
-        _ => models::puma560().dh().map(|rows| rows.to_vec()).unwrap_or_default(),
-    };
-    let found = rows.len();
-    let rows: [DhRow; N] =
-        rows.try_into().map_err(|_| LabError::value("robot", Fault::WrongLength { found, expected: N }))?;
-    SerialArm::from_dh(rows).map_err(|error| LabError::value("robot.dh", error))
-}
-
 fn task(name: TaskName) -> Task {
     match name {
         TaskName::Pose => Task::Pose,
@@ -278,8 +249,12 @@ fn element(key: &str, values: &PerJoint, joint: usize) -> String {
     if matches!(values, PerJoint::All(_)) { key.to_owned() } else { format!("{key}.{joint}") }
 }
 
-fn speed_limits<const N: usize>(table: &LimitsTable) -> Result<SpeedLimits<N>, LabError> {
-    let upper = per_joint("limits.speed", &table.speed)?;
+/// The scenario's speed limits, else those of the robot.
+fn speed_limits<const N: usize>(table: &LimitsTable, robot: &RobotDescription) -> Result<SpeedLimits<N>, LabError> {
+    let robots = || robot.velocity_limits().map(PerJoint::Each);
+    let missing = Fault::Missing("the robot has no speed limits of its own for every joint");
+    let speed = table.speed.clone().or_else(robots).ok_or_else(|| LabError::value("limits.speed", missing))?;
+    let upper = per_joint("limits.speed", &speed)?;
     let lower = match &table.speed_lower {
         Some(values) => per_joint("limits.speed_lower", values)?,
         None => upper.map(|u| -u),
@@ -289,10 +264,10 @@ fn speed_limits<const N: usize>(table: &LimitsTable) -> Result<SpeedLimits<N>, L
             LabError::value(element("limits.speed_lower", values, joint), Fault::NotNegative(value))
         }
         (ParameterError::LowerLimit { joint, value }, None) => {
-            LabError::value(element("limits.speed", &table.speed, joint), Fault::NotPositive(-value))
+            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(-value))
         }
         (ParameterError::UpperLimit { joint, value }, _) => {
-            LabError::value(element("limits.speed", &table.speed, joint), Fault::NotPositive(value))
+            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(value))
         }
         (error, _) => LabError::value("limits", error),
     })

@@ -1,5 +1,5 @@
 use crate::law::Method;
-use crate::problem::MAX_JOINTS;
+use crate::robot::MAX_JOINTS;
 use std::fmt::Write as _;
 use std::io;
 

@@ -116,6 +116,27 @@ impl<const N: usize> SerialArm<N> {
             * self.tool
     }
 
+    /// The frame of each joint after its motion, in which the link behind it stands still, in the base frame.
+    #[must_use]
+    pub fn link_poses(&self, q: &JointVector<N>) -> [Pose; N] {
+        let mut pose = Pose::identity();
+        std::array::from_fn(|i| {
+            pose = pose * self.joints[i].origin * self.joints[i].motion(q[i]);
+            pose
+        })
+    }
+
+    /// What follows joint `i`: the origin of the next joint, or the tool, in the frame of the joint after its motion.
+    pub(crate) fn after_joint(&self, i: usize) -> Pose {
+        self.joints.get(i + 1).map_or(self.tool, |next| next.origin)
+    }
+
+    /// The tool's pose in the last link's frame.
+    #[must_use]
+    pub fn tool(&self) -> &Pose {
+        &self.tool
+    }
+
     /// Forward kinematics with the joint frames that the Jacobian needs.
     #[must_use]
     pub fn frames(&self, q: &JointVector<N>) -> LinkFrames<N> {

@@ -1,3 +1,4 @@
+use crate::DynamicsError;
 use thiserror::Error;
 
 /// What can go wrong with a robot description or a pose.
@@ -15,7 +16,7 @@ pub enum RobotError {
         value: f64,
     },
     /// The arm does not have the geometry that the closed-form inverse kinematics needs.
-    #[error("closed-form inverse kinematics needs a spherical wrist on a PUMA-like arm: {reason}")]
+    #[error("closed-form inverse kinematics needs a spherical wrist: {reason}")]
     NotSphericalWrist {
         /// The first condition that fails.
         reason: &'static str,
@@ -40,6 +41,16 @@ pub enum RobotError {
         /// Iterations spent.
         iterations: usize,
     },
+    /// The numeric inverse kinematics found the pose only outside the joints' ranges.
+    #[error("every position found lies outside the joint limits, for instance joint {} at {value:.4} ({trials} seeds tried)", joint + 1)]
+    OutsideLimits {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// Its position, rad or m.
+        value: f64,
+        /// Seeds tried.
+        trials: usize,
+    },
     /// The determinant-based inverse needs as many joints as task coordinates.
     #[error(
         "the adjugate inverse needs a square Jacobian: the task has {rows} coordinates and the arm {joints} joints"
@@ -58,4 +69,60 @@ pub enum RobotError {
         /// What was given.
         value: f64,
     },
+    /// A description with another number of joints than wanted.
+    #[error("the robot has {found} joints, not {expected}")]
+    JointCount {
+        /// Joints of the description.
+        found: usize,
+        /// Joints wanted.
+        expected: usize,
+    },
+    /// A joint that is not there.
+    #[error("there is no joint called `{name}`")]
+    UnknownJoint {
+        /// The name asked for.
+        name: String,
+        /// The joints there are.
+        known: Vec<String>,
+    },
+    /// A range of positions whose lower end lies above its upper end.
+    #[error("joint `{joint}`: the lower limit {lower} lies above the upper limit {upper}")]
+    InvertedLimits {
+        /// The joint.
+        joint: String,
+        /// Lower limit.
+        lower: f64,
+        /// Upper limit.
+        upper: f64,
+    },
+    /// A limit that must be positive.
+    #[error("joint `{joint}`: the {what} limit is {value}; it must be positive")]
+    LimitNotPositive {
+        /// The joint.
+        joint: String,
+        /// `velocity` or `effort`.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// Masses or drives that no machine has.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+}
+
+impl RobotError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::OutOfReach { .. } => "move the pose into the arm's reach".into(),
+            Self::JointCount { .. } => "use an arm with as many joints as asked for".into(),
+            Self::UnknownJoint { known, .. } => format!("the joints are {}", known.join(", ")),
+            Self::InvertedLimits { .. } => "exchange `lower` and `upper`".into(),
+            Self::LimitNotPositive { .. } => "give a number greater than zero, or leave it out for no limit".into(),
+            Self::Dynamics(DynamicsError::SingularMass) => "give every link a mass, or include rotor inertia".into(),
+            Self::Dynamics(_) => "correct the link's or the joint's parameters".into(),
+            _ => "see the condition in the message".into(),
+        }
+    }
 }

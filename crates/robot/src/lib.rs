@@ -1,4 +1,4 @@
-//! Serial arms: kinematics, Jacobians and their inverses, built-in models.
+//! Serial arms: kinematics, Jacobians and their inverses, rigid-body dynamics, URDF, built-in models.
 //!
 //! Units are SI (m, rad, s). Frames: poses and Jacobians are expressed in the base frame, the Jacobian's reference point
 //! is the tool's origin, its first three rows are linear and its last three angular.
@@ -12,26 +12,40 @@
 //! ```
 
 mod arm;
+mod description;
 mod dh;
+mod dynamics;
 mod error;
 pub mod euler;
 mod inverse;
 mod jacobi_svd;
 mod jacobian;
+mod manipulability;
 pub mod models;
 mod numeric_ik;
+mod restarts;
 mod rotation;
 mod spherical_wrist;
+mod urdf;
+mod wrist_partitioned;
 
 pub use arm::{Joint, JointKind, LinkFrames, SerialArm};
+pub use description::{JointDescription, JointLimits, PositionRange, RobotDescription};
 pub use dh::DhRow;
+pub use dynamics::{
+    BodyFault, Drive, DriveEffects, DriveFault, Dynamics, DynamicsError, Friction, GRAVITY, LinkInertia, MassMatrix,
+};
 pub use error::RobotError;
 pub use euler::EulerAngles;
 pub use inverse::{InverseMethod, Task, adjugate, solve_rates};
 pub use jacobi_svd::JacobiSvd;
+pub use manipulability::manipulability;
 pub use numeric_ik::{NumericIk, NumericIkSettings};
+pub use restarts::PositionRanges;
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
+pub use urdf::{ChainEnds, UrdfError};
+pub use wrist_partitioned::WristPartitionedIk;
 
 /// Position and orientation of a frame, stored as a rotation matrix and a vector.
 pub type Pose = nalgebra::IsometryMatrix3<f64>;

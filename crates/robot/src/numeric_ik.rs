@@ -38,6 +38,11 @@ impl<'a, const N: usize> NumericIk<'a, N> {
         Self { arm, task, settings }
     }
 
+    /// The arm it solves for.
+    pub(crate) fn arm(&self) -> &SerialArm<N> {
+        self.arm
+    }
+
     /// The joint position that puts the tool at `pose`, from a seed.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ pub(crate) mod schema;
 use crate::error::{Fault, LabError};
 use schema::{PositionTable, ScenarioFile};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -15,6 +15,7 @@ use toml::de::{DeTable, DeValue};
 pub struct Scenario {
     name: String,
     text: String,
+    folder: PathBuf,
     pub(crate) file: ScenarioFile,
 }
 
@@ -78,7 +79,7 @@ impl Scenario {
     pub fn read(path: &Path) -> Result<Self, LabError> {
         let text = Self::read_text(path)?;
         let name = path.file_stem().map_or_else(|| "scenario".into(), |stem| stem.to_string_lossy().into_owned());
-        Self::parse(&name, &text)
+        Ok(Self::parse(&name, &text)?.in_folder_of(path))
     }
 
     /// The text of a scenario file, for showing errors in it.
@@ -99,7 +100,19 @@ impl Scenario {
     pub fn parse(name: &str, text: &str) -> Result<Self, LabError> {
         let file = toml::from_str(text)
             .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
-        Ok(Self { name: name.to_owned(), text: text.to_owned(), file })
+        Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
+    }
+
+    /// The same scenario with the paths in it relative to the folder of a file; as parsed they are relative to the current
+    /// folder.
+    #[must_use]
+    pub fn in_folder_of(self, file: &Path) -> Self {
+        Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), ..self }
+    }
+
+    /// A path in the scenario, as seen from the current folder.
+    pub(crate) fn resolve(&self, path: &str) -> PathBuf {
+        self.folder.join(path)
     }
 
     /// Name on the command line, or the stem of the file.

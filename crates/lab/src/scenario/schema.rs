@@ -26,18 +26,27 @@ pub(crate) struct ScenarioFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RobotTable {
-    pub(crate) model: Option<Model>,
+    pub(crate) model: Option<ModelName>,
     pub(crate) dh: Option<Vec<DhTable>>,
+    pub(crate) urdf: Option<String>,
+    pub(crate) base: Option<String>,
+    pub(crate) tip: Option<String>,
     #[serde(default)]
     pub(crate) task: TaskName,
     pub(crate) inverse: InverseTable,
 }
 
-/// Built-in arms.
+/// Built-in arms, named as on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Model {
+pub(crate) enum ModelName {
     Puma560,
+    #[serde(rename = "planar-2r")]
+    Planar2R,
+    Pa10,
+    Ur5e,
+    Ur20,
+    Panda,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -142,7 +151,7 @@ pub(crate) struct KnotTable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LimitsTable {
-    pub(crate) speed: PerJoint,
+    pub(crate) speed: Option<PerJoint>,
     pub(crate) speed_lower: Option<PerJoint>,
     pub(crate) acceleration: Option<PerJoint>,
 }

@@ -1,0 +1,77 @@
+use crate::error::{Fault, LabError};
+use crate::scenario::Scenario;
+use crate::scenario::schema::{DhTable, ModelName, RobotTable};
+use slideway_robot::models::Model;
+use slideway_robot::{ChainEnds, DhRow, RobotDescription};
+
+/// Most joints an arm may have.
+pub const MAX_JOINTS: usize = 7;
+
+/// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints.
+pub(crate) fn describe(scenario: &Scenario) -> Result<RobotDescription, LabError> {
+    let table = &scenario.file.robot;
+    check_one_source(table)?;
+    let robot = match (table.model, &table.dh, &table.urdf) {
+        (Some(name), _, _) => model(name).describe().map_err(|error| LabError::value("robot.model", error))?,
+        (None, Some(rows), _) => RobotDescription::from_dh("robot", &rows.iter().map(dh_row).collect::<Vec<_>>()),
+        (None, None, Some(file)) => from_urdf(scenario, file)?,
+        (None, None, None) => {
+            let missing = Fault::Missing("say which robot: `model`, a `dh` table or a `urdf` file");
+            return Err(LabError::value("robot", missing));
+        }
+    };
+    if (1..=MAX_JOINTS).contains(&robot.joint_count()) {
+        Ok(robot)
+    } else {
+        Err(LabError::value(robot_key(table), Fault::JointCount(robot.joint_count())))
+    }
+}
+
+/// The key that says which robot it is, for errors about it.
+pub(crate) fn robot_key(table: &RobotTable) -> &'static str {
+    match (table.model, &table.dh, &table.urdf) {
+        (Some(_), _, _) => "robot.model",
+        (None, Some(_), _) => "robot.dh",
+        (None, None, Some(_)) => "robot.urdf",
+        (None, None, None) => "robot",
+    }
+}
+
+fn check_one_source(table: &RobotTable) -> Result<(), LabError> {
+    let conflict = |key: &str, message| Err(LabError::value(key, Fault::Conflict(message)));
+    if table.dh.is_some() && table.model.is_some() {
+        return conflict("robot.dh", "`robot.model` and `robot.dh` exclude each other");
+    }
+    if table.urdf.is_some() && (table.model.is_some() || table.dh.is_some()) {
+        return conflict("robot.urdf", "`robot.urdf` excludes `robot.model` and `robot.dh`");
+    }
+    for (key, link) in [("robot.base", &table.base), ("robot.tip", &table.tip)] {
+        if link.is_some() && table.urdf.is_none() {
+            return conflict(key, "`base` and `tip` name links of a `robot.urdf` file, and there is none");
+        }
+    }
+    Ok(())
+}
+
+fn from_urdf(scenario: &Scenario, file: &str) -> Result<RobotDescription, LabError> {
+    let table = &scenario.file.robot;
+    let path = scenario.resolve(file);
+    let ends = ChainEnds { base: table.base.clone(), tip: table.tip.clone() };
+    RobotDescription::read_urdf(&path, &ends)
+        .map_err(|error| LabError::value("robot.urdf", Fault::Urdf { path, error: Box::new(error) }))
+}
+
+fn dh_row(row: &DhTable) -> DhRow {
+    DhRow { a: row.a.0, alpha: row.alpha.0, d: row.d.0, offset: row.offset.0 }
+}
+
+fn model(name: ModelName) -> Model {
+    match name {
+        ModelName::Puma560 => Model::Puma560,
+        ModelName::Planar2R => Model::Planar2R,
+        ModelName::Pa10 => Model::Pa10,
+        ModelName::Ur5e => Model::Ur5e,
+        ModelName::Ur20 => Model::Ur20,
+        ModelName::Panda => Model::Panda,
+    }
+}
