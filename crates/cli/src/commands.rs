@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command};
-use crate::compare;
 use crate::diagnostic::CliError;
+use crate::{compare, sweep};
 use slideway_lab::{BUILT_IN, Scenario, TEMPLATE};
 use std::io::Write as _;
 use std::path::Path;
@@ -26,6 +26,7 @@ impl Outcome {
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file } => init(&file),
@@ -86,7 +87,7 @@ pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Op
     CliError::Scenario { error: Box::new(error), file: file.to_owned(), text }
 }
 
-fn unknown(name: &str) -> CliError {
+pub(crate) fn unknown(name: &str) -> CliError {
     let nearest = BUILT_IN
         .iter()
         .map(|b| (edit_distance(name, b.name), b.name))

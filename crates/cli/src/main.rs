@@ -8,6 +8,10 @@ mod compare;
 mod diagnostic;
 mod report;
 mod summary;
+mod sweep;
+mod sweep_error;
+mod sweep_journal;
+mod sweep_table;
 mod table;
 mod verdict;
 

@@ -23,6 +23,7 @@ mod problem;
 mod sampled;
 mod scenario;
 mod simulate;
+pub mod sweep;
 mod trace;
 
 pub use controller::Demand;
