@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
-use crate::{compare, robot};
+use crate::{compare, robot, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use std::io::Write as _;
@@ -28,6 +28,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
@@ -135,7 +136,7 @@ pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Op
     CliError::Scenario { error: Box::new(error), file: file.to_owned(), text }
 }
 
-fn unknown(name: &str) -> CliError {
+pub(crate) fn unknown(name: &str) -> CliError {
     let nearest = BUILT_IN
         .iter()
         .map(|b| (edit_distance(name, b.name), b.name))

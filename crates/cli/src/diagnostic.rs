@@ -1,3 +1,4 @@
+use crate::sweep_error::SweepFailure;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
@@ -50,6 +51,9 @@ pub(crate) enum CliError {
     /// No figures.
     #[error("no figures: {0}")]
     Figures(#[from] FigureError),
+    /// No sweep.
+    #[error(transparent)]
+    Sweep(#[from] SweepFailure),
 }
 
 impl CliError {
@@ -62,6 +66,7 @@ impl CliError {
             Self::Urdf { error, file, text: Some(text) } => {
                 (Some(NamedSource::new(file.clone(), text.clone()).with_language("XML")), error.locate(text))
             }
+            Self::Sweep(failure) => failure.source_and_span(),
             _ => (None, None),
         };
         let help = self.remedy();
@@ -94,6 +99,7 @@ impl CliError {
             }
             Self::Optimum(OptimumError::NoMotion { .. }) => "give a path along which the joints move".into(),
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
+            Self::Sweep(failure) => failure.remedy(),
             Self::Figures(_) => "check that the output folder may be written".into(),
         }
     }

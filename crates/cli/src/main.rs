@@ -13,6 +13,10 @@ mod report;
 mod robot;
 mod robot_state;
 mod summary;
+mod sweep;
+mod sweep_error;
+mod sweep_journal;
+mod sweep_table;
 mod table;
 mod verdict;
 

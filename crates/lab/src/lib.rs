@@ -25,6 +25,7 @@ mod robot;
 mod sampled;
 mod scenario;
 mod simulate;
+pub mod sweep;
 mod trace;
 
 pub use controller::Demand;

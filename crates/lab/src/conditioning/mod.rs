@@ -13,6 +13,6 @@ pub use constraint::{NamedConstraint, Shape3};
 pub use expression::ExpressionConstraint;
 pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
 pub use problem::{ConditioningProblem, MarginChoice, Reference};
-pub use run::run_conditioner;
+pub use run::{check_conditioner, run_conditioner};
 pub use scenario::ConditioningScenario;
 pub use trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};

@@ -28,6 +28,24 @@ pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Res
     }
 }
 
+/// Checks the parameters of one of the conditioner's forms without running it.
+///
+/// # Errors
+///
+/// Parameters that the conditioner refuses: those that [`run_conditioner`] would report.
+pub fn check_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<(), LabError> {
+    match problem.constraints.len() {
+        1 => conditioner::<1>(problem, method).map(drop),
+        2 => conditioner::<2>(problem, method).map(drop),
+        3 => conditioner::<3>(problem, method).map(drop),
+        4 => conditioner::<4>(problem, method).map(drop),
+        5 => conditioner::<5>(problem, method).map(drop),
+        6 => conditioner::<6>(problem, method).map(drop),
+        7 => conditioner::<7>(problem, method).map(drop),
+        _ => conditioner::<8>(problem, method).map(drop),
+    }
+}
+
 impl ConditioningProblem {
     /// Evaluates the first `M` constraints at a motion.
     #[must_use]
@@ -69,10 +87,16 @@ impl ConditioningProblem {
     }
 }
 
+fn conditioner<const M: usize>(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+) -> Result<PathConditioner<3, M>, LabError> {
+    PathConditioner::new(problem.settings(method)).map_err(|error| LabError::value("conditioner", error))
+}
+
 #[allow(clippy::cast_precision_loss)]
 fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
-    let conditioner = PathConditioner::<3, M>::new(problem.settings(method))
-        .map_err(|error| LabError::value("conditioner", error))?;
+    let conditioner = conditioner::<M>(problem, method)?;
     let mut state = conditioner.on_reference();
     let mut trace = ConditionedTrace {
         method,

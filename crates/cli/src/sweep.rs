@@ -1,0 +1,132 @@
+use crate::args::SweepArguments;
+use crate::commands::{Outcome, print, scenario_error, unknown};
+use crate::diagnostic::CliError;
+use crate::sweep_error::SweepFailure;
+use crate::sweep_journal::{Journal, Opened, write_csv};
+use crate::sweep_table;
+use indicatif::{ProgressBar, ProgressStyle};
+use slideway_lab::sweep::{
+    Axis, RowSink, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep,
+};
+use slideway_lab::{BUILT_IN, Scenario};
+use std::fs;
+use std::num::{NonZeroU64, NonZeroUsize};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+impl From<SweepError> for SweepFailure {
+    fn from(error: SweepError) -> Self {
+        Self::Request { error: Box::new(error), file: String::new() }
+    }
+}
+
+impl From<SweepError> for CliError {
+    fn from(error: SweepError) -> Self {
+        SweepFailure::from(error).into()
+    }
+}
+
+pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
+    let plan = plan(arguments).map_err(|error| in_file(error, &arguments.scenario))?;
+    let default = || Path::new("out").join(format!("sweep-{}", plan.request().name));
+    let out = arguments.out.clone().unwrap_or_else(default);
+    fs::create_dir_all(&out).map_err(|source| CliError::Write { path: out.clone(), source })?;
+    let Opened { journal, rows } = Journal::open(&out.join("rows.jsonl"), &plan)?;
+    let rows = finish(&plan, &journal, rows, jobs(arguments)).map_err(|error| in_file(error, &arguments.scenario))?;
+    let summary = SweepSummary::new(&plan, &rows);
+    let text = write(&out, &plan, &rows, &summary)?;
+    if arguments.json {
+        print(&text);
+    } else {
+        print(&format!("{}wrote {}\n", sweep_table::render(&plan, &summary), out.join("rows.csv").display()));
+    }
+    Ok(if summary.all.failures.total == 0 { Outcome::Holds } else { Outcome::Fails })
+}
+
+/// An error of the request knows its scenario's text, but not what the user called the scenario.
+fn in_file(error: CliError, name: &str) -> CliError {
+    match error {
+        CliError::Sweep(SweepFailure::Request { error, .. }) => {
+            SweepFailure::Request { error, file: name.to_owned() }.into()
+        }
+        other => other,
+    }
+}
+
+fn plan(arguments: &SweepArguments) -> Result<SweepPlan, CliError> {
+    let (name, text) = scenario_text(&arguments.scenario)?;
+    let settings = arguments.set.iter().map(|s| Setting::parse(s)).collect::<Result<_, _>>()?;
+    let axes = arguments.grid.iter().map(|g| Axis::parse(g)).collect::<Result<_, _>>()?;
+    let seeds = arguments.seeds.map(NonZeroU64::get);
+    Ok(SweepPlan::new(SweepRequest { name, text, method: arguments.method.clone(), seeds, settings, axes })?)
+}
+
+/// Name and text of a scenario of either kind, built in or a file.
+fn scenario_text(name: &str) -> Result<(String, String), CliError> {
+    if let Some(built_in) = BUILT_IN.iter().find(|b| b.name == name) {
+        return Ok((name.to_owned(), built_in.text.to_owned()));
+    }
+    let path = Path::new(name);
+    if !path.exists() {
+        return Err(unknown(name));
+    }
+    let text = Scenario::read_text(path).map_err(|error| scenario_error(error, name, None))?;
+    Ok((path.file_stem().map_or_else(|| "scenario".into(), |s| s.to_string_lossy().into_owned()), text))
+}
+
+fn jobs(arguments: &SweepArguments) -> NonZeroUsize {
+    let cores = || std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    arguments.jobs.unwrap_or_else(cores)
+}
+
+/// Makes the runs that have no row yet; all rows, in the order of the plan.
+fn finish(
+    plan: &SweepPlan,
+    journal: &Journal,
+    mut rows: Vec<Option<SweepRow>>,
+    jobs: NonZeroUsize,
+) -> Result<Vec<SweepRow>, CliError> {
+    let pending: Vec<usize> = (0..rows.len()).filter(|&run| rows[run].is_none()).collect();
+    let failures = AtomicUsize::new(rows.iter().flatten().filter(|row| row.failed()).count());
+    let bar = progress(rows.len(), rows.len() - pending.len());
+    let sink = |row: &SweepRow| {
+        journal.append(row)?;
+        let failed = usize::from(row.failed());
+        bar.set_message(format!("failures: {}", failures.fetch_add(failed, Ordering::Relaxed) + failed));
+        bar.inc(1);
+        Ok(())
+    };
+    let sink: &RowSink<'_, CliError> = &sink;
+    let done = run_sweep(plan, &pending, jobs, sink);
+    bar.finish_and_clear();
+    for row in done? {
+        let run = row.run;
+        rows[run] = Some(row);
+    }
+    Ok(rows.into_iter().flatten().collect())
+}
+
+fn progress(runs: usize, done: usize) -> ProgressBar {
+    let bar = ProgressBar::new(runs as u64).with_position(done as u64);
+    if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} (left: {eta}) {msg}") {
+        bar.set_style(style);
+    }
+    // The runs of an earlier session say nothing about the speed of this one.
+    bar.reset_eta();
+    bar
+}
+
+/// Writes rows and summary; returns the text of the summary.
+fn write(out: &Path, plan: &SweepPlan, rows: &[SweepRow], summary: &SweepSummary) -> Result<String, CliError> {
+    let failed = |path: &PathBuf| {
+        let path = path.clone();
+        move |source| CliError::Write { path, source }
+    };
+    let path = out.join("rows.csv");
+    let mut csv = Vec::new();
+    write_csv(plan, rows, &mut csv).and_then(|()| fs::write(&path, csv)).map_err(failed(&path))?;
+    let path = out.join("summary.json");
+    let text = serde_json::to_string_pretty(summary).map_err(|error| failed(&path)(error.into()))? + "\n";
+    fs::write(&path, &text).map_err(failed(&path))?;
+    Ok(text)
+}

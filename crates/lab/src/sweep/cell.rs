@@ -1,0 +1,153 @@
+use super::columns;
+use super::error::SweepError;
+use super::plan::SweepRequest;
+use super::row::SweepRow;
+use super::setting::{Setting, shown};
+use crate::conditioning::{
+    ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, check_conditioner,
+    run_conditioner,
+};
+use crate::error::LabError;
+use crate::experiment::Experiment;
+use crate::law::Method;
+use crate::metrics::MethodSummary;
+use crate::scenario::{Scenario, ScenarioKind, scenario_kind};
+use toml::{Table, Value};
+
+/// One cell of the grid: the scenario with the cell's values in it, checked.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell {
+    /// The values of the axes.
+    pub(crate) values: Vec<Value>,
+    subject: Subject,
+    settings: String,
+    text: String,
+}
+
+#[derive(Clone, Debug)]
+enum Subject {
+    Conditioning { problem: Box<ConditioningProblem>, method: PathMethod },
+    Speed { scenario: Box<Scenario>, method: Method },
+}
+
+impl Cell {
+    /// Applies the settings of every cell and those of this one, and reads the result as a scenario of its own.
+    ///
+    /// Without settings the text stays as it was written, so that errors point at the user's own lines.
+    pub(crate) fn new(request: &SweepRequest, values: Vec<Value>) -> Result<Self, SweepError> {
+        let axes = request.axes.iter().zip(&values);
+        let own = axes.map(|(axis, value)| Setting { key: axis.key.clone(), value: value.clone() });
+        let settings: Vec<Setting> = request.settings.iter().cloned().chain(own).collect();
+        let text = applied(&request.text, &settings)?;
+        let settings: Vec<String> = settings.iter().map(|s| format!("{}={}", s.key, shown(&s.value))).collect();
+        let settings = settings.join(" ");
+        let pointed =
+            |error| SweepError::Cell { error: Box::new(error), settings: settings.clone(), text: text.clone() };
+        let subject = match scenario_kind(&text) {
+            ScenarioKind::Conditioning => {
+                let method = path_method(request.method.as_deref())?;
+                let problem =
+                    ConditioningScenario::parse(&request.name, &text).and_then(|s| s.problem()).map_err(pointed)?;
+                check_conditioner(&problem, method).map_err(pointed)?;
+                Subject::Conditioning { problem: Box::new(problem), method }
+            }
+            ScenarioKind::Speed => {
+                let method = speed_method(request.method.as_deref())?;
+                let scenario = Scenario::parse(&request.name, &text).map_err(pointed)?;
+                Subject::Speed { scenario: Box::new(scenario), method }
+            }
+        };
+        Ok(Self { values, subject, settings, text })
+    }
+
+    /// Whether a seed changes anything.
+    pub(crate) fn is_random(&self) -> bool {
+        matches!(&self.subject, Subject::Conditioning { problem, .. } if problem.trap.is_some())
+    }
+
+    pub(crate) fn method(&self) -> &'static str {
+        match &self.subject {
+            Subject::Conditioning { method, .. } => method.name(),
+            Subject::Speed { method, .. } => method.name(),
+        }
+    }
+
+    pub(crate) fn columns(&self) -> Vec<String> {
+        match &self.subject {
+            Subject::Conditioning { problem, .. } => {
+                columns::conditioning_names(&problem.constraints.iter().map(|c| c.name.clone()).collect::<Vec<_>>())
+            }
+            Subject::Speed { .. } => columns::speed_names(),
+        }
+    }
+
+    /// Runs the cell with a seed; the trace is dropped as soon as it is summarised.
+    pub(crate) fn run(&self, run: usize, seed: Option<u64>) -> Result<SweepRow, SweepError> {
+        let row = match &self.subject {
+            Subject::Conditioning { problem, method } => conditioned(problem, *method, run, seed),
+            Subject::Speed { scenario, method } => regulated(scenario, *method, run),
+        };
+        row.map_err(|error| SweepError::Cell {
+            error: Box::new(error),
+            settings: self.settings.clone(),
+            text: self.text.clone(),
+        })
+    }
+}
+
+fn applied(text: &str, settings: &[Setting]) -> Result<String, SweepError> {
+    if settings.is_empty() {
+        return Ok(text.to_owned());
+    }
+    let unreadable = |message: String, span| SweepError::Cell {
+        error: Box::new(LabError::Syntax { message, span }),
+        settings: String::new(),
+        text: text.to_owned(),
+    };
+    let mut document: Table =
+        text.parse().map_err(|e: toml::de::Error| unreadable(e.message().to_owned(), e.span()))?;
+    for setting in settings {
+        setting.apply(&mut document)?;
+    }
+    toml::to_string(&document).map_err(|error| unreadable(error.to_string(), None))
+}
+
+fn path_method(name: Option<&str>) -> Result<PathMethod, SweepError> {
+    let known = || PathMethod::ALL.into_iter().filter(|m| m.is_conditioner());
+    let Some(name) = name else { return Ok(PathMethod::SlidingMode) };
+    let unknown = || SweepError::UnknownMethod { name: name.into(), known: known().map(PathMethod::name).collect() };
+    known().find(|m| m.name() == name).ok_or_else(unknown)
+}
+
+fn speed_method(name: Option<&str>) -> Result<Method, SweepError> {
+    let Some(name) = name else { return Ok(Method::SlidingMode) };
+    let unknown = || SweepError::UnknownMethod { name: name.into(), known: Method::ALL.map(Method::name).to_vec() };
+    Method::ALL.into_iter().find(|m| m.name() == name).ok_or_else(unknown)
+}
+
+fn conditioned(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+    run: usize,
+    seed: Option<u64>,
+) -> Result<SweepRow, LabError> {
+    let mut problem = problem.clone();
+    if let (Some(trap), Some(seed)) = (&mut problem.trap, seed) {
+        trap.seed = seed;
+    }
+    let trace = run_conditioner(&problem, method)?;
+    let summary = PathMethodSummary::new(&problem, &trace, None, None);
+    let values = columns::conditioning_values(&summary);
+    Ok(SweepRow { run, completed: summary.completed, broken: broken(&trace), values })
+}
+
+/// How many constraints did not hold at every sample; a NaN does not hold.
+fn broken(trace: &ConditionedTrace) -> usize {
+    let holds = |i: usize| trace.samples.iter().all(|s| s.sigma[i] <= 0.0);
+    (0..trace.constraints.len()).filter(|&i| !holds(i)).count()
+}
+
+fn regulated(scenario: &Scenario, method: Method, run: usize) -> Result<SweepRow, LabError> {
+    let summary = MethodSummary::new(&Experiment::new(scenario)?.run(method)?);
+    Ok(SweepRow { run, completed: summary.completed, broken: 0, values: columns::speed_values(&summary) })
+}

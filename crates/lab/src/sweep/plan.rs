@@ -1,0 +1,160 @@
+use super::cell::Cell;
+use super::error::SweepError;
+use super::row::SweepRow;
+use super::setting::{Axis, Setting, overlap};
+use toml::Value;
+
+/// Most runs of a sweep: their rows are kept in memory for the summary.
+pub const MAX_RUNS: u64 = 10_000_000;
+
+/// The key of the seed of a conditioning scenario.
+const SEED_KEY: &str = "trap.seed";
+
+/// What a sweep is asked to do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepRequest {
+    /// Name of the scenario.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// The method; without one the explicit sliding mode.
+    pub method: Option<String>,
+    /// Seeds `1..=N` of the random walk; without them the scenario's own.
+    pub seeds: Option<u64>,
+    /// Values replaced in every run.
+    pub settings: Vec<Setting>,
+    /// Values varied: the runs cover every combination.
+    pub axes: Vec<Axis>,
+}
+
+impl SweepRequest {
+    /// One run of a scenario as it is.
+    #[must_use]
+    pub fn of(name: &str, text: String) -> Self {
+        Self { name: name.to_owned(), text, method: None, seeds: None, settings: Vec::new(), axes: Vec::new() }
+    }
+}
+
+/// The runs of a sweep, numbered: seeds change fastest, then the last axis, the first axis slowest.
+#[derive(Clone, Debug)]
+pub struct SweepPlan {
+    request: SweepRequest,
+    cells: Vec<Cell>,
+    columns: Vec<String>,
+    runs: usize,
+}
+
+impl SweepPlan {
+    /// Checks the request and every cell of its grid, before anything runs.
+    ///
+    /// What only a run can tell, such as a path that leaves the robot's reach, is told by [`SweepPlan::run`].
+    ///
+    /// # Errors
+    ///
+    /// What [`SweepError`] lists, for the first cell that it concerns.
+    pub fn new(request: SweepRequest) -> Result<Self, SweepError> {
+        check_overlaps(&request)?;
+        let runs = count(&request)?;
+        let cells = combinations(&request.axes)
+            .into_iter()
+            .map(|values| Cell::new(&request, values))
+            .collect::<Result<Vec<_>, _>>()?;
+        let columns = cells.first().map(Cell::columns).unwrap_or_default();
+        if cells.iter().any(|cell| cell.columns() != columns) {
+            return Err(SweepError::Columns);
+        }
+        if request.seeds.is_some() && !cells.iter().all(Cell::is_random) {
+            return Err(SweepError::NothingRandom { scenario: request.name });
+        }
+        Ok(Self { request, cells, columns, runs })
+    }
+
+    /// What was asked for.
+    #[must_use]
+    pub fn request(&self) -> &SweepRequest {
+        &self.request
+    }
+
+    /// Name of the method that runs.
+    #[must_use]
+    pub fn method(&self) -> &'static str {
+        self.cells.first().map_or("", Cell::method)
+    }
+
+    /// Names of a row's values, with their units.
+    #[must_use]
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// How many runs there are.
+    #[must_use]
+    pub fn runs(&self) -> usize {
+        self.runs
+    }
+
+    /// How many grid cells there are; one without a grid.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// The cell of a run.
+    #[must_use]
+    pub fn cell_of(&self, run: usize) -> usize {
+        run / (self.runs / self.cells.len())
+    }
+
+    /// Values of the axes in a cell; empty beyond the last.
+    #[must_use]
+    pub fn cell_values(&self, cell: usize) -> &[Value] {
+        self.cells.get(cell).map_or(&[], |cell| &cell.values)
+    }
+
+    /// The seed of a run; `None` where the scenario's own is used.
+    #[must_use]
+    pub fn seed_of(&self, run: usize) -> Option<u64> {
+        self.request.seeds.map(|seeds| run as u64 % seeds + 1)
+    }
+
+    /// Makes one run.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Cell`] where the robot cannot follow the path; [`SweepError::Runs`] beyond the last run.
+    pub fn run(&self, run: usize) -> Result<SweepRow, SweepError> {
+        match self.cells.get(self.cell_of(run)) {
+            Some(cell) => cell.run(run, self.seed_of(run)),
+            None => Err(SweepError::Runs { runs: run as u64, most: self.runs as u64 }),
+        }
+    }
+}
+
+fn check_overlaps(request: &SweepRequest) -> Result<(), SweepError> {
+    let mut keys: Vec<&str> = request.settings.iter().map(|s| s.key.as_str()).collect();
+    keys.extend(request.axes.iter().map(|a| a.key.as_str()));
+    keys.extend(request.seeds.map(|_| SEED_KEY));
+    for (i, first) in keys.iter().enumerate() {
+        // `trap.seed` inside a `trap` that is set as a whole is what seeds are for.
+        let clash = |second: &&&str| overlap(first, second) && !(**second == SEED_KEY && first.len() < SEED_KEY.len());
+        if let Some(second) = keys[i + 1..].iter().find(clash) {
+            return Err(SweepError::Overlap { first: (*first).into(), second: (*second).into() });
+        }
+    }
+    Ok(())
+}
+
+#[allow(clippy::cast_possible_truncation)]
+fn count(request: &SweepRequest) -> Result<usize, SweepError> {
+    let sizes = request.axes.iter().map(|axis| axis.values.len() as u64);
+    let runs = sizes.fold(request.seeds.unwrap_or(1), u64::saturating_mul);
+    if (1..=MAX_RUNS).contains(&runs) { Ok(runs as usize) } else { Err(SweepError::Runs { runs, most: MAX_RUNS }) }
+}
+
+/// Every combination of the axes' values, the last axis fastest.
+fn combinations(axes: &[Axis]) -> Vec<Vec<Value>> {
+    axes.iter().fold(vec![Vec::new()], |cells, axis| {
+        let extended = |cell: &Vec<Value>, value: &Value| cell.iter().chain([value]).cloned().collect();
+        cells.iter().flat_map(|cell| axis.values.iter().map(move |value| extended(cell, value))).collect()
+    })
+}
