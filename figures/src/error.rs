@@ -1,4 +1,5 @@
 use slideway_lab::Method;
+use slideway_lab::conditioning::PathMethod;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -20,6 +21,18 @@ pub enum FigureError {
     NotFinite {
         /// Its method.
         method: Method,
+    },
+    /// A trace of path conditioning has no samples.
+    #[error("the trace of {method} is empty")]
+    EmptyPathTrace {
+        /// Its method.
+        method: PathMethod,
+    },
+    /// A trace of path conditioning is not finite from its first sample on.
+    #[error("the trace of {method} is not finite from its first sample on")]
+    PathNotFinite {
+        /// Its method.
+        method: PathMethod,
     },
     /// Two lists that belong together differ in length, or a list is too short.
     #[error("{what}: {expected} values are needed, {found} were given")]

@@ -1,5 +1,5 @@
-//! The comparison of speed laws in pictures: one function draws every figure of a study, as SVG and as PNG, from the same
-//! drawing code and with a bundled font.
+//! Comparisons in pictures: one function draws every figure of a study of speed laws or of path conditioning, as SVG and as
+//! PNG, from the same drawing code and with a bundled font; two more draw what sweeps give.
 //!
 //! Figures are [`WIDTH`](Rendered::width) 1000 px wide, meant for a column of 8.5 cm. The SVG uses `#FFFFFF` for the
 //! background, `#1A1A1A` for text, axes and limits and `#D9D9D9` for the grid, so that a page can restyle them.
@@ -9,9 +9,12 @@
 
 mod canvas;
 mod chattering;
+mod conditioning;
+mod convergence;
 mod direction_factor;
 mod error;
 mod errors;
+mod escape_times;
 mod facts;
 mod joint_speeds;
 mod multiples;
@@ -20,12 +23,16 @@ mod path_rate;
 mod polyline;
 mod render;
 mod scale;
+mod space;
 mod stack;
 mod study;
 mod style;
 mod tool_path;
 
+pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
+pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
 pub use error::FigureError;
+pub use escape_times::{EscapeStudy, EscapeVariant, draw_escape_times};
 pub use render::Rendered;
 pub use study::{Optimum, SpeedStudy};
 
@@ -46,7 +53,7 @@ use study::Checked;
 pub fn draw_speed_study(study: &SpeedStudy, dir: &Path) -> Result<Vec<Rendered>, FigureError> {
     style::register_fonts()?;
     let checked = Checked::new(study)?;
-    std::fs::create_dir_all(dir).map_err(|source| FigureError::Write { path: dir.to_owned(), source })?;
+    render::make_directory(dir)?;
     let mut rendered = vec![
         render(&path_rate::PathRate(&checked), dir)?,
         render(&path_rate::PathRateOverTime(&checked), dir)?,

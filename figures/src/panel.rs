@@ -82,6 +82,17 @@ impl<DB: DrawingBackend> Panel<DB> {
         self.draw(&self.pixels(points), stroke)
     }
 
+    /// Marks a point with a disc, nothing if it lies outside the axes.
+    pub(crate) fn marker(&self, point: Point, stroke: &Stroke) -> Drawn<DB> {
+        let (x, y) = (self.x.fraction(point.0), self.y.fraction(point.1));
+        if !((0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y)) {
+            return Ok(());
+        }
+        let (width, height) = self.extent();
+        let centre = ((width * x).round() as i32, (height * (1.0 - y)).round() as i32);
+        self.plot.area.draw(&Circle::new(centre, self.plot.px(9.0), stroke.color.filled()))
+    }
+
     /// Draws a horizontal line.
     pub(crate) fn level(&self, height: f64, stroke: &Stroke) -> Drawn<DB> {
         let range = self.x.range();

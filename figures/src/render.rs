@@ -24,6 +24,11 @@ pub struct Rendered {
     pub height: u32,
 }
 
+/// Makes the directory of the figures if it is missing.
+pub(crate) fn make_directory(dir: &Path) -> Result<(), FigureError> {
+    std::fs::create_dir_all(dir).map_err(|source| FigureError::Write { path: dir.to_owned(), source })
+}
+
 /// A figure of a study, not yet drawn.
 pub(crate) trait Figure {
     const NAME: &'static str;

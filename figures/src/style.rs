@@ -6,6 +6,7 @@
 use crate::error::FigureError;
 use plotters::style::{Color, FontStyle, RGBColor, ShapeStyle, register_font};
 use slideway_lab::Method;
+use slideway_lab::conditioning::PathMethod;
 
 /// Background; the report replaces it in dark mode, as it does the next two.
 pub(crate) const PAPER: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
@@ -43,6 +44,9 @@ pub(crate) const REFERENCE: Stroke = Stroke { color: RGBColor(0xB0, 0xB0, 0xB0),
 /// Limits and proven bounds.
 pub(crate) const LIMIT: Stroke = Stroke { color: INK, width: 2.5, dashes: SHORT_DASHES };
 
+/// Fills what a constraint forbids.
+pub(crate) const HATCH: Stroke = Stroke { color: RGBColor(0x9A, 0x9A, 0x9A), width: 1.5, dashes: &[] };
+
 /// The line style of a method, as in the figures of `[G11]` where it is one of theirs.
 pub(crate) fn stroke(method: Method) -> Stroke {
     let (color, width, dashes) = match method {
@@ -66,6 +70,47 @@ pub(crate) fn label(method: Method) -> &'static str {
         Method::SlidingModeSynchronised => "synchronised",
         Method::SlidingModeImplicit => "implicit",
     }
+}
+
+/// The line style of a method of path conditioning; a conditioner's form looks like the speed law of the same name.
+pub(crate) fn path_stroke(method: PathMethod) -> Stroke {
+    let (color, width, dashes) = match method {
+        PathMethod::SlidingMode => return stroke(Method::SlidingMode),
+        PathMethod::SlidingModePaper => return stroke(Method::SlidingModeSynchronised),
+        PathMethod::SlidingModeImplicit => return stroke(Method::SlidingModeImplicit),
+        PathMethod::QpFilter => (RGBColor(0xCC, 0x79, 0xA7), 5.0, DASH_DOT),
+        PathMethod::Projection => (RGBColor(0x56, 0xB4, 0xE9), 9.0, &[][..]),
+        PathMethod::PotentialField => (RGBColor(0xE6, 0x9F, 0x00), 5.0, DASHED),
+    };
+    Stroke { color, width, dashes }
+}
+
+/// The name of a method of path conditioning in legends and captions.
+pub(crate) fn path_label(method: PathMethod) -> &'static str {
+    match method {
+        PathMethod::SlidingMode => "sliding mode",
+        PathMethod::SlidingModePaper => "paper's scheme",
+        PathMethod::SlidingModeImplicit => "implicit",
+        PathMethod::QpFilter => "QP filter",
+        PathMethod::Projection => "projection",
+        PathMethod::PotentialField => "potential field",
+    }
+}
+
+/// Line styles for things that are only told apart, by number.
+pub(crate) fn numbered_stroke(number: usize) -> Stroke {
+    const COLORS: [RGBColor; 6] = [
+        RGBColor(0x00, 0x72, 0xB2),
+        RGBColor(0xD5, 0x5E, 0x00),
+        RGBColor(0x00, 0x9E, 0x73),
+        RGBColor(0xCC, 0x79, 0xA7),
+        RGBColor(0xE6, 0x9F, 0x00),
+        RGBColor(0x56, 0xB4, 0xE9),
+    ];
+    const DASHES: [&[f64]; 6] = [&[], SHORT_DASHES, LONG_DASHES, DASH_DOT, DASHED, DOTTED];
+    let (turn, place) = (number / COLORS.len(), number % COLORS.len());
+    // Each turn pairs the colours with other dashes: the first 36 differ.
+    Stroke { color: COLORS[place], width: 5.0, dashes: DASHES[(place + turn) % DASHES.len()] }
 }
 
 /// A line `width` pixels wide, never thinner than one.
