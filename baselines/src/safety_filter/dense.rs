@@ -51,13 +51,12 @@ fn non_negative_least_squares(e: &DMatrix<f64>, f: &DVector<f64>) -> Option<DVec
             .max_by(|&i, &j| gain[i].total_cmp(&gain[j]));
         let Some(entering) = entering else { return Some(y) };
         passive[entering] = true;
-        if least_squares(e, f, &passive).is_none_or(|s| !(s[entering] > 0.0)) {
+        let Some(mut s) = least_squares(e, f, &passive).filter(|s| s[entering] > 0.0) else {
             (passive[entering], refused[entering]) = (false, true);
             continue;
-        }
+        };
         refused.fill(false);
         loop {
-            let s = least_squares(e, f, &passive)?;
             if (0..m).all(|j| !passive[j] || s[j] > 0.0) {
                 y = s;
                 break;
@@ -72,6 +71,7 @@ fn non_negative_least_squares(e: &DMatrix<f64>, f: &DVector<f64>) -> Option<DVec
                     (passive[j], y[j]) = (false, 0.0);
                 }
             }
+            s = least_squares(e, f, &passive)?;
         }
     }
     None
