@@ -14,9 +14,8 @@ use steps::{Meter, measure_all};
 struct Clock<'a>(&'a mut Criterion);
 
 impl Meter for Clock<'_> {
-    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl FnOnce() -> S) {
-        let mut step = prepare();
-        self.0.bench_function(format!("path-step/{name}"), |b| b.iter(&mut step));
+    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl Fn() -> S) {
+        self.0.bench_function(&format!("path-step/{name}"), |b| b.iter(prepare()));
     }
 }
 

@@ -11,7 +11,7 @@ use steps::{Meter, measure_all};
 struct Names;
 
 impl Meter for Names {
-    fn measure<S: FnMut()>(&mut self, name: &str, _prepare: impl FnOnce() -> S) {
+    fn measure<S: FnMut()>(&mut self, name: &str, _prepare: impl Fn() -> S) {
         println!("{name}");
     }
 }
@@ -23,7 +23,7 @@ struct Repeat {
 }
 
 impl Meter for Repeat {
-    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl FnOnce() -> S) {
+    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl Fn() -> S) {
         if name == self.wanted {
             let mut step = prepare();
             for _ in 0..self.times {

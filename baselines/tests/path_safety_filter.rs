@@ -70,6 +70,22 @@ fn the_potential_field_deviates_as_the_independent_simulation_says() {
 }
 
 #[test]
+fn more_half_spaces_than_dimensions_that_all_act_are_solved() {
+    // A ring of eight that meet the same circle: any three of them span what all do. By symmetry u = (0, 0, -1 / 0.8).
+    let rows: Vec<Vec<f64>> = (0..8)
+        .map(|i| {
+            let angle = std::f64::consts::TAU * f64::from(i) / 8.0;
+            vec![0.6 * angle.cos(), 0.6 * angle.sin(), 0.8]
+        })
+        .collect();
+    for found in [DualActiveSet.smallest(&rows, &[-1.0; 8]), ConicPush::new().smallest(&rows, &[-1.0; 8])] {
+        let found = found.expect("a common point exists");
+        // The interior point stops at 1e-12 in the objective, which is 1e-6 in the vector.
+        assert!(distance(&[found[0], found[1], found[2]], &[0.0, 0.0, -1.25]) <= 1e-6, "{found:?}");
+    }
+}
+
+#[test]
 fn contradictory_half_spaces_have_no_smallest_push() {
     let rows = vec![vec![1.0, 0.0], vec![-1.0, 0.0]];
     let bounds = [-1.0, -1.0];

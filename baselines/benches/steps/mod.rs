@@ -31,7 +31,7 @@ const PRESSING: Motion<3> = Motion { time: 0.0, position: [0.0, 0.0, -0.1], velo
 /// What is done with one measured step.
 pub(crate) trait Meter {
     /// `prepare` brings the method into contact and gives its step.
-    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl FnOnce() -> S);
+    fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl Fn() -> S);
 }
 
 /// Every step, method by method. The constraints are written out, as a caller would.

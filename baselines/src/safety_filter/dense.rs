@@ -42,13 +42,21 @@ fn non_negative_least_squares(e: &DMatrix<f64>, f: &DVector<f64>) -> Option<DVec
     let m = e.ncols();
     let mut passive = vec![false; m];
     let mut y = DVector::zeros(m);
-    for _ in 0..3 * m + 10 {
+    // Columns that depend on the passive ones: their gain is rounding.
+    let mut refused = vec![false; m];
+    for _ in 0..6 * m + 10 {
         let gain = e.transpose() * (f - e * &y);
-        let entering = (0..m).filter(|&j| !passive[j] && gain[j] > 1e-14).max_by(|&i, &j| gain[i].total_cmp(&gain[j]));
+        let entering = (0..m)
+            .filter(|&j| !passive[j] && !refused[j] && gain[j] > 1e-14)
+            .max_by(|&i, &j| gain[i].total_cmp(&gain[j]));
         let Some(entering) = entering else { return Some(y) };
         passive[entering] = true;
+        let Some(mut s) = least_squares(e, f, &passive).filter(|s| s[entering] > 0.0) else {
+            (passive[entering], refused[entering]) = (false, true);
+            continue;
+        };
+        refused.fill(false);
         loop {
-            let s = least_squares(e, f, &passive)?;
             if (0..m).all(|j| !passive[j] || s[j] > 0.0) {
                 y = s;
                 break;
@@ -63,6 +71,7 @@ fn non_negative_least_squares(e: &DMatrix<f64>, f: &DVector<f64>) -> Option<DVec
                     (passive[j], y[j]) = (false, 0.0);
                 }
             }
+            s = least_squares(e, f, &passive)?;
         }
     }
     None

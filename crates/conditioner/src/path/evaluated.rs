@@ -33,14 +33,13 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     where
         E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
     {
-        // Written into place: the samples are large, and copying them would cost more than evaluating them.
-        let mut now = Evaluated { samples: constraints(&motion), motion, phi: [0.0; M], excess: [0.0; M] };
-        now.phi = self.phi(&now.samples, &now.motion.velocity);
-        now.excess = self.margin(&now.samples);
-        for (e, p) in now.excess.iter_mut().zip(&now.phi) {
+        let samples = constraints(&motion);
+        let phi = self.phi(&samples, &motion.velocity);
+        let mut excess = self.margin(&samples);
+        for (e, p) in excess.iter_mut().zip(&phi) {
             *e += p;
         }
-        now
+        Evaluated { motion, samples, phi, excess }
     }
 
     /// Names the first constraint that is not finite.
