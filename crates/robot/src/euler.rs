@@ -1,4 +1,4 @@
-//! The orientation convention of [G11]: `R = Rz(α) Ry(β) Rx(γ)`, triples kept continuous.
+//! The orientation convention of `[G11]`: `R = Rz(α) Ry(β) Rx(γ)`, triples kept continuous.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::{PI, TAU};
