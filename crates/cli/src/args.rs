@@ -21,7 +21,7 @@ pub(crate) enum Command {
     Compare(CompareArguments),
     /// Print pose, Jacobian and dynamics of a robot at one state.
     ///
-    /// The PUMA-560's base frame sits at its shoulder, as in [G11]; on its pedestal poses would be 0.67183 m higher.
+    /// The PUMA-560's base frame sits at its shoulder, as in `[G11]`; on its pedestal poses would be 0.67183 m higher.
     Robot(RobotArguments),
     /// Run one method of a scenario many times, over random seeds, a grid of parameters or both, on all cores.
     ///

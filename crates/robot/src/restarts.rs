@@ -28,7 +28,7 @@ impl<const N: usize> NumericIk<'_, N> {
             let from = if trial == 0 { *seed } else { self.seed(trial, ranges) };
             match self.solve(pose, &from) {
                 Ok(q) => {
-                    let q = JointVector::from_fn(|i, _| self.into_range(i, q[i], &ranges[i]));
+                    let q = JointVector::from_fn(|i, _| self.within_turns(i, q[i], &ranges[i]));
                     let outside = (0..N).find(|&i| ranges[i].is_some_and(|range| !range.contains(q[i])));
                     let Some(joint) = outside else { return Ok(q) };
                     failure = Some(RobotError::OutsideLimits { joint, value: q[joint], trials: restarts + 1 });
@@ -58,7 +58,7 @@ impl<const N: usize> NumericIk<'_, N> {
     }
 
     /// The angle shifted by whole turns to lie in its range, nearest to its lower end from above; slides are left alone.
-    fn into_range(&self, joint: usize, q: f64, range: &Option<PositionRange>) -> f64 {
+    fn within_turns(&self, joint: usize, q: f64, range: &Option<PositionRange>) -> f64 {
         match range {
             Some(range) if !self.slides(joint) && !range.contains(q) => q + TAU * ((range.lower - q) / TAU).ceil(),
             _ => q,

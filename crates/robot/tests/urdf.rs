@@ -62,7 +62,7 @@ fn slides_carry_weight_as_forces_and_move_without_turning() {
 fn a_six_axis_urdf_ends_at_its_tool_frame_and_moves_like_its_dh_table() {
     let robot = read(SIX);
     assert_eq!((robot.base.as_str(), robot.tip.as_str(), robot.joint_count()), ("world", "tool0", 6));
-    assert!(robot.velocity_limits().is_some_and(|v| v == [3.14; 6]));
+    assert!(robot.velocity_limits().is_some_and(|v| v == [3.2; 6]));
     let (urdf, table) =
         (robot.arm::<6>().expect("six"), Model::Ur5e.describe().expect("built in").arm::<6>().expect("six"));
     for q in [[0.0; 6], [0.1, -0.7, 1.2, -0.4, 0.9, 2.0], [-2.0, 1.0, -0.3, 0.2, -1.0, 0.5]] {
