@@ -9,7 +9,7 @@ use std::time::Instant;
 pub struct ConicAnswer {
     /// The profile `x` at all nodes.
     pub b: Vec<f64>,
-    /// Multipliers of the program's rows, in their order, as the solver gives them.
+    /// Multipliers of the program's rows, in their order, as the solver gives them; 0 for rows that follow from others.
     pub multipliers: Vec<f64>,
     /// The solver's status.
     pub status: String,
@@ -35,7 +35,8 @@ pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> 
     let start = Instant::now();
     let layout = Layout::new(program);
     let mut build = Build::default();
-    layout.caps_and_rows(program, &mut build);
+    let border = program.border_rows();
+    layout.caps_and_rows(program, &border, &mut build);
     let linear = build.rhs.len();
     layout.cones(program, &mut build);
     let cones = (build.rhs.len() - linear) / 3;
@@ -65,9 +66,12 @@ pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> 
     let free = program.free();
     let b =
         (0..program.cap.len()).map(|k| layout.column[k].map_or(program.cap[k], |column| solution.x[column])).collect();
+    let mut solved = solution.z[free.len()..linear].iter();
+    let multipliers =
+        border.iter().map(|&used| if used { solved.next().copied() } else { None }.unwrap_or(0.0)).collect();
     Ok(ConicAnswer {
         b,
-        multipliers: solution.z[free.len()..linear].to_vec(),
+        multipliers,
         status: format!("{:?}", solution.status),
         iterations: solution.iterations,
         solve_s: start.elapsed().as_secs_f64(),
@@ -119,12 +123,12 @@ impl Layout {
         layout
     }
 
-    /// `x_k <= cap_k`, then the program's rows.
-    fn caps_and_rows(&self, program: &PieceProgram, build: &mut Build) {
+    /// `x_k <= cap_k`, then those of the program's rows that are needed.
+    fn caps_and_rows(&self, program: &PieceProgram, border: &[bool], build: &mut Build) {
         for k in program.free() {
             build.row(&self.x(k, 1.0), program.cap[k]);
         }
-        for row in program.rows() {
+        for (row, _) in program.rows().zip(border).filter(|(_, used)| **used) {
             let mut bound = row.bound;
             let mut entries = Vec::with_capacity(2);
             for (node, value) in [(row.interval, row.before), (row.interval + 1, row.after)] {

@@ -65,12 +65,18 @@ pub(super) enum Extreme {
 /// `x` or of `y` at a given `x`. Reused from interval to interval.
 #[derive(Default)]
 pub(super) struct IntervalProgram {
-    slope: Vec<f64>,
-    low: Vec<f64>,
-    high: Vec<f64>,
-    line: Vec<Line>,
+    lines: Vec<Lines>,
     x: [f64; 2],
     reasons: [Reason; 2],
+}
+
+/// Two parallel lines `y = slope · x + low` and `y = slope · x + high`, and where they come from.
+#[derive(Clone, Copy)]
+struct Lines {
+    slope: f64,
+    low: f64,
+    high: f64,
+    line: Line,
 }
 
 /// The highest lower line and the lowest upper line at some `x`.
@@ -91,11 +97,8 @@ impl IntervalProgram {
         x: [f64; 2],
         y: [f64; 2],
     ) -> Result<(), Clash> {
-        self.slope.clear();
-        self.low.clear();
-        self.high.clear();
-        self.line.clear();
-        self.push(0.0, y[0], y[1], Line::Neighbour);
+        self.lines.clear();
+        self.lines.push(Lines { slope: 0.0, low: y[0], high: y[1], line: Line::Neighbour });
         self.x = x;
         self.reasons = [Reason::Box; 2];
         for (offset, strip) in strips.iter().enumerate() {
@@ -107,19 +110,12 @@ impl IntervalProgram {
             }
             let (a, b) = (strip.lower * inverse, strip.upper * inverse);
             let (low, high) = if inverse > 0.0 { (a, b) } else { (b, a) };
-            self.push(-near * inverse, low, high, Line::Strip(first + offset));
+            self.lines.push(Lines { slope: -near * inverse, low, high, line: Line::Strip(first + offset) });
         }
         if self.x[0] > self.x[1] {
             return Err(Clash::Bounds { low: self.reasons[0], high: self.reasons[1] });
         }
         Ok(())
-    }
-
-    fn push(&mut self, slope: f64, low: f64, high: f64, line: Line) {
-        self.slope.push(slope);
-        self.low.push(low);
-        self.high.push(high);
-        self.line.push(line);
     }
 
     /// A row without `y` bounds `x`, or holds everywhere, or nowhere.
@@ -144,8 +140,9 @@ impl IntervalProgram {
 
     fn envelope(&self, x: f64) -> Envelope {
         let mut e = Envelope { low: f64::NEG_INFINITY, high: f64::INFINITY, low_line: 0, high_line: 0 };
-        for (i, ((&p, &low), &high)) in self.slope.iter().zip(&self.low).zip(&self.high).enumerate() {
-            let (low, high) = (p * x + low, p * x + high);
+        for (i, lines) in self.lines.iter().enumerate() {
+            let rise = lines.slope * x;
+            let (low, high) = (rise + lines.low, rise + lines.high);
             if low > e.low {
                 (e.low, e.low_line) = (low, i);
             }
@@ -168,17 +165,18 @@ impl IntervalProgram {
         };
         let (mut x, mut reason) = (self.x[start], self.reasons[start]);
         // Each step takes another pair of lines; the bound only guards against cycling through rounding.
-        for _ in 0..4 * self.line.len() + 8 {
+        for _ in 0..4 * self.lines.len() + 8 {
             let e = self.envelope(x);
             if !(e.low > e.high) {
                 break;
             }
-            let pair = (self.line[e.low_line], self.line[e.high_line]);
-            let slope = self.slope[e.low_line] - self.slope[e.high_line];
+            let (below, above) = (self.lines[e.low_line], self.lines[e.high_line]);
+            let pair = (below.line, above.line);
+            let slope = below.slope - above.slope;
             if !(slope * sign > 0.0) {
                 return Err(Clash::Pair { low: pair.0, high: pair.1, bound: reason });
             }
-            let next = (self.high[e.high_line] - self.low[e.low_line]) / slope;
+            let next = (above.high - below.low) / slope;
             if !((x - next) * sign > 0.0) {
                 break;
             }
@@ -194,12 +192,58 @@ impl IntervalProgram {
     pub(super) fn greatest_after(strips: &[Strip], x: f64) -> f64 {
         let mut greatest = f64::INFINITY;
         for strip in strips {
-            let bound = if strip.after > 0.0 { strip.upper } else { strip.lower };
-            if strip.after != 0.0 {
-                greatest = greatest.min((bound - strip.before * x) / strip.after);
+            let (bound, sign) = if strip.after > 0.0 { (strip.upper, 1.0) } else { (strip.lower, -1.0) };
+            let room = (bound - strip.before * x) * sign;
+            // Division only where it changes the result.
+            if strip.after != 0.0 && room < greatest * strip.after * sign {
+                greatest = room / (strip.after * sign);
             }
         }
         greatest
+    }
+
+    /// The rows that form the border of the loaded interval's polygon: all others follow from them, the box and the
+    /// neighbour's range. Found by walking along the lower and the upper envelope.
+    pub(super) fn border(&self, far_of: impl Fn(usize) -> f64) -> Vec<(usize, Side)> {
+        let mut rows = Vec::new();
+        for (reason, _) in self.reasons.iter().zip(self.x) {
+            if let Reason::Row(strip, side) = *reason {
+                rows.push((strip, side));
+            }
+        }
+        for which in [Extreme::Least, Extreme::Greatest] {
+            for line in self.walk(which) {
+                if let Line::Strip(strip) = line {
+                    rows.push((strip, bounding_side(far_of(strip), which)));
+                }
+            }
+        }
+        rows
+    }
+
+    /// The lines of an envelope from the left end of the box to the right: the upper lines' minimum turns downwards, the lower
+    /// lines' maximum, its mirror image, upwards.
+    fn walk(&self, which: Extreme) -> Vec<Line> {
+        let sign = if which == Extreme::Greatest { 1.0 } else { -1.0 };
+        let of = |l: &Lines| (sign * l.slope, sign * if which == Extreme::Greatest { l.high } else { l.low });
+        let mut x = self.x[0];
+        let e = self.envelope(x);
+        let mut at = if which == Extreme::Greatest { e.high_line } else { e.low_line };
+        let mut walked = Vec::new();
+        loop {
+            walked.push(self.lines[at].line);
+            let (p, q) = of(&self.lines[at]);
+            let mut next = (self.x[1], None);
+            for (i, line) in self.lines.iter().enumerate() {
+                let (slope, offset) = of(line);
+                let crossing = (offset - q) / (p - slope);
+                if slope < p && crossing < next.0 {
+                    next = (crossing.max(x), Some(i));
+                }
+            }
+            let (crossing, Some(i)) = next else { return walked };
+            (x, at) = (crossing, i);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 use super::controllable::controllable;
 use super::error::OptimumError;
-use super::interval::Direction;
+use super::interval::{Direction, IntervalProgram};
 use super::strip::{Place, Row, RowSource, Side, Strip, power_of_two};
 use crate::outward::Outward;
 use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SampledPiece};
@@ -23,6 +23,8 @@ pub struct PieceProgram {
     /// Strips of interval `k` are `first[k]..first[k + 1]`.
     pub(super) first: Vec<usize>,
     pub(super) index: usize,
+    /// Least value of the free nodes as a share of their caps: 0, unless a profile that stands still is to be avoided.
+    floor_share: f64,
     unit_b: f64,
     unit_time: Outward,
 }
@@ -69,6 +71,7 @@ impl PieceProgram {
             strips: Vec::new(),
             first: vec![0],
             index,
+            floor_share: 0.0,
             unit_b: 1.0,
             unit_time: Outward::exact(1.0),
         };
@@ -196,6 +199,11 @@ impl PieceProgram {
         self.unit_b = unit_b;
     }
 
+    /// The same program with every free node's value at least a share of its cap.
+    pub(super) fn above(&self, share: f64) -> Self {
+        Self { floor_share: share, ..self.clone() }
+    }
+
     /// The same program with every limit narrowed by a share of its half range and every cap by the same share.
     pub(super) fn narrowed(&self, share: f64) -> Self {
         let mut program = self.clone();
@@ -227,10 +235,10 @@ impl PieceProgram {
         usize::from(self.given[0].is_some())..self.cap.len() - usize::from(self.given[1].is_some())
     }
 
-    /// Least value of a node: what is given there, or 0.
+    /// Least value of a node: what is given there, or 0, or the share of the cap asked for.
     #[must_use]
     pub fn floor(&self, node: usize) -> f64 {
-        if self.free().contains(&node) { 0.0 } else { self.cap[node] }
+        if self.free().contains(&node) { self.floor_share * self.cap[node] } else { self.cap[node] }
     }
 
     /// Number of rows.
@@ -249,6 +257,32 @@ impl PieceProgram {
         })
     }
 
+    /// Which rows, by their number in [`PieceProgram::rows`], form the borders of the intervals' polygons: with the caps they imply
+    /// all others, so a solver needs no more. Rounding may leave out a row that touches the border; whoever uses the answer
+    /// checks it against all rows.
+    pub(super) fn border_rows(&self) -> Vec<bool> {
+        let mut is_border = vec![false; self.strips.len() * 2];
+        let mut interval_program = IntervalProgram::default();
+        for k in 0..self.h.len() {
+            let boxes = [[self.floor(k), self.cap[k]], [self.floor(k + 1), self.cap[k + 1]]];
+            let strips = self.interval(k);
+            if interval_program.load(strips, self.first[k], Direction::Backward, boxes[0], boxes[1]).is_err() {
+                (self.first[k]..self.first[k + 1]).for_each(|i| is_border[2 * i..2 * i + 2].fill(true));
+                continue;
+            }
+            for (strip, side) in interval_program.border(|i| self.strips[i].after) {
+                is_border[2 * strip + usize::from(side == Side::Lower)] = true;
+            }
+        }
+        let sides = |s: &Strip| [s.upper.is_finite(), s.lower.is_finite()];
+        self.strips
+            .iter()
+            .flat_map(sides)
+            .zip(is_border)
+            .filter_map(|(is_row, border)| is_row.then_some(border))
+            .collect()
+    }
+
     /// The strips of one interval.
     pub(super) fn interval(&self, interval: usize) -> &[Strip] {
         &self.strips[self.first[interval]..self.first[interval + 1]]
@@ -260,8 +294,14 @@ impl PieceProgram {
         let mut worst = f64::NEG_INFINITY;
         for interval in 0..self.h.len() {
             for strip in self.interval(interval) {
-                let excess = strip.excess(profile[interval], profile[interval + 1]);
-                worst = if excess.is_nan() { f64::INFINITY } else { worst.max(excess) };
+                let overshoot = strip.overshoot(profile[interval], profile[interval + 1]);
+                // Division only where it changes the result; not a number counts as infinite.
+                if overshoot.is_nan() {
+                    return f64::INFINITY;
+                }
+                if overshoot > worst * strip.half_range() {
+                    worst = overshoot / strip.half_range();
+                }
             }
         }
         worst

@@ -72,15 +72,36 @@ pub(super) fn reach_piece(
 ) -> Result<ReachedPiece, OptimumError> {
     let program = PieceProgram::sampled(path, index, extra)?;
     let b = greedy(&program).map_err(|e| e.describe(&program, path))?;
+    if program.free().all(|k| b[k] > 0.0) {
+        return reached(&program, b);
+    }
+    let program = program.bounded(path)?;
+    match positive_greedy(&program) {
+        Some(b) => reached(&program, b),
+        None => Err(OptimumError::Unrepairable("every profile stands still inside the path")),
+    }
+}
+
+/// Re-checks a profile in the program's units against all rows.
+fn reached(program: &PieceProgram, b: Vec<f64>) -> Result<ReachedPiece, OptimumError> {
     let excess = program.largest_excess(&b);
     if !(excess <= ROW_TOLERANCE) {
         return Err(OptimumError::Unrepairable("rounding exceeds a limit: the rows are too badly scaled"));
     }
-    let time = feasible_time(&program, &b);
-    if !time.hi.is_finite() {
-        return Err(OptimumError::Unrepairable("the profile stands still inside the path"));
-    }
-    Ok(ReachedPiece { b, time, excess })
+    let time = feasible_time(program, &b);
+    Ok(ReachedPiece { b: program.in_units(&b), time, excess })
+}
+
+/// Shares of the caps below which a profile must not fall, tried in this order.
+const FLOORS: [f64; 4] = [0.0, 1e-2, 1e-4, 1e-6];
+
+/// A greedy profile that nowhere stands still: on coarse grids taking the most now may leave nothing but rest for the next node;
+/// a floor under the controllable ranges looks ahead. For a program with proven caps.
+pub(super) fn positive_greedy(program: &PieceProgram) -> Option<Vec<f64>> {
+    FLOORS
+        .iter()
+        .filter_map(|&share| greedy(&program.above(share)).ok())
+        .find(|profile| program.free().all(|k| profile[k] > 0.0))
 }
 
 /// The greedy profile of a program, in its units: from the greatest controllable start, the greatest controllable next value.

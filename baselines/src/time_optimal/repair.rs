@@ -1,7 +1,7 @@
 use super::certificate::interval_times;
 use super::error::OptimumError;
 use super::piece::PieceProgram;
-use super::reachability::greedy;
+use super::reachability::positive_greedy;
 use crate::outward::Outward;
 
 /// Shares of the limits' ranges by which a profile inside all rows is looked for, the most generous first.
@@ -52,8 +52,8 @@ pub fn repair(program: &PieceProgram, answer: &[f64]) -> Result<Vec<f64>, Optimu
 fn inner_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumError> {
     INSETS
         .iter()
-        .filter_map(|&inset| greedy(&program.narrowed(inset)).ok())
-        .find(|w| program.free().all(|k| w[k] > 0.0) && program.largest_excess(w) <= 0.0)
+        .filter_map(|&inset| positive_greedy(&program.narrowed(inset)))
+        .find(|w| program.largest_excess(w) <= 0.0)
         .ok_or(OptimumError::Unrepairable("no profile keeps the limits with room to spare"))
 }
 

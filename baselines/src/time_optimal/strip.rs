@@ -83,17 +83,24 @@ impl Strip {
         if half.is_finite() && half > 0.0 { half } else { 1.0 }
     }
 
-    /// An upper bound on how far outside the strip a pair of values is, as a share of the half range; negative inside.
+    /// An upper bound on how far outside the strip a pair of values is, in the row's own units; negative inside.
     ///
     /// Two products, a sum and a difference, each rounded once: the error is at most `2 ε (|α x| + |β y| + |bound|)` with the
     /// unit round-off `ε / 2` to first order; 4 instead of 2 covers the higher orders and the sum's own rounding.
-    pub(super) fn excess(&self, x: f64, y: f64) -> f64 {
+    pub(super) fn overshoot(&self, x: f64, y: f64) -> f64 {
         let (first, second) = (self.before * x, self.after * y);
         let value = first + second;
-        let rounding = |bound: f64| 4.0 * f64::EPSILON * (first.abs() + second.abs() + bound.abs()) + f64::MIN_POSITIVE;
-        let over = if self.upper.is_finite() { value - self.upper + rounding(self.upper) } else { f64::NEG_INFINITY };
-        let under = if self.lower.is_finite() { self.lower - value + rounding(self.lower) } else { f64::NEG_INFINITY };
-        (if over >= under { over } else { under }) / self.half_range()
+        let rounding = 4.0 * f64::EPSILON * (first.abs() + second.abs()) + f64::MIN_POSITIVE;
+        let beyond = |difference: f64, bound: f64| {
+            if bound.is_finite() { difference + 4.0 * f64::EPSILON * bound.abs() } else { f64::NEG_INFINITY }
+        };
+        let (over, under) = (beyond(value - self.upper, self.upper), beyond(self.lower - value, self.lower));
+        (if over >= under { over } else { under }) + rounding
+    }
+
+    /// [`Strip::overshoot`] as a share of the half range.
+    pub(super) fn excess(&self, x: f64, y: f64) -> f64 {
+        self.overshoot(x, y) / self.half_range()
     }
 
     /// The row of one bound, unless that is infinite.

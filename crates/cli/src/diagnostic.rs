@@ -98,6 +98,9 @@ impl CliError {
                 "check that the folder exists and may be written, or choose another with --out".into()
             }
             Self::Optimum(OptimumError::NoMotion { .. }) => "give a path along which the joints move".into(),
+            Self::Optimum(OptimumError::Infeasible { .. }) => {
+                "raise the limit named, or change the path or its speed at the ends there".into()
+            }
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
             Self::Sweep(failure) => failure.remedy(),
             Self::Figures(_) => "check that the output folder may be written".into(),
