@@ -5,6 +5,7 @@ use crate::diagnostic::CliError;
 use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
+use slideway_figures::{ConditioningStudy, draw_conditioning_study};
 use slideway_lab::LabError;
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner,
@@ -73,7 +74,7 @@ fn summarise(
 fn write(
     out: &Path,
     scenario: &ConditioningScenario,
-    _problem: &ConditioningProblem,
+    problem: &ConditioningProblem,
     traces: &[ConditionedTrace],
     summary: &PathSummary,
 ) -> Result<(), CliError> {
@@ -83,7 +84,8 @@ fn write(
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
     create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
-    let figures = [];
+    let study = ConditioningStudy { title: scenario.name(), problem, traces, bands: &[] };
+    let figures = draw_conditioning_study(&study, &figures_dir)?;
     let page = path_report::render(summary, scenario, &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
 }
