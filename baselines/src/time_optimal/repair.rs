@@ -20,9 +20,13 @@ const INSETS: [f64; 5] = [3e-2, 3e-3, 1e-4, 1e-6, 1e-9];
 /// No profile keeps the limits with any room to spare, or the program's limits are kept by no positive profile.
 pub fn repair(program: &PieceProgram, answer: &[f64]) -> Result<Vec<f64>, OptimumError> {
     let free = program.free();
-    let usable = free.clone().all(|k| answer[k] > 0.0 && answer[k].is_finite());
+    let usable = free.clone().all(|k| is_alone(program, k) || (answer[k] > 0.0 && answer[k].is_finite()));
     let cut: Vec<f64> = (0..program.cap.len())
-        .map(|k| if free.contains(&k) { answer[k].min(program.cap[k]) } else { program.cap[k] })
+        .map(|k| {
+            // Where no row touches a node its cap is the optimum, whatever the solver says.
+            let capped = !free.contains(&k) || is_alone(program, k);
+            if capped { program.cap[k] } else { answer[k].min(program.cap[k]) }
+        })
         .collect();
     if usable && program.largest_excess(&cut) <= 0.0 {
         return Ok(cut);
@@ -46,6 +50,12 @@ pub fn repair(program: &PieceProgram, answer: &[f64]) -> Result<Vec<f64>, Optimu
         theta = 2.0 * theta + f64::EPSILON;
     }
     Ok(inner)
+}
+
+/// Whether no row couples a node with its neighbours or bounds it beyond its cap.
+fn is_alone(program: &PieceProgram, node: usize) -> bool {
+    let empty = |interval: usize| interval >= program.h.len() || program.interval(interval).is_empty();
+    empty(node) && (node == 0 || empty(node - 1))
 }
 
 /// A positive profile inside all rows, rounding included.

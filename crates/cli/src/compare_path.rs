@@ -1,11 +1,12 @@
 use crate::args::CompareArguments;
 use crate::commands::{Outcome, scenario_error};
 use crate::compare::{create, progress, show};
+use crate::convergence::{Convergence, convergence};
 use crate::diagnostic::CliError;
 use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
-use slideway_figures::{ConditioningStudy, draw_conditioning_study};
+use slideway_figures::{ConditioningStudy, ConvergenceStudy, draw_conditioning_study, draw_convergence};
 use slideway_lab::LabError;
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner,
@@ -20,7 +21,7 @@ pub(crate) fn compare_conditioning(
     out: &Path,
 ) -> Result<Outcome, CliError> {
     let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
-    let progress = progress(PathMethod::ALL.len() as u64 + 1);
+    let progress = progress(PathMethod::ALL.len() as u64 + 2);
     let problem = scenario.problem().map_err(pointed)?;
     let mut traces = Vec::new();
     for method in [PathMethod::SlidingMode, PathMethod::SlidingModePaper, PathMethod::SlidingModeImplicit] {
@@ -41,7 +42,10 @@ pub(crate) fn compare_conditioning(
     progress.inc(1);
 
     let tolerance = arguments.tolerance.or(scenario.tolerance());
-    let summary = summarise(scenario, &problem, &traces, projected.as_ref(), tolerance);
+    progress.set_message("shorter sampling periods");
+    let convergence = convergence(&problem).map_err(pointed)?;
+    progress.inc(1);
+    let summary = summarise(scenario, &problem, &traces, projected.as_ref(), convergence, tolerance);
     progress.set_message("writing traces and figures");
     write(out, scenario, &problem, &traces, &summary)?;
     progress.finish_and_clear();
@@ -54,6 +58,7 @@ fn summarise(
     problem: &ConditioningProblem,
     traces: &[ConditionedTrace],
     projected: Option<&ProjectedTrace>,
+    convergence: Vec<Convergence>,
     tolerance: Option<f64>,
 ) -> PathSummary {
     let qp = traces.iter().find(|t| t.method == PathMethod::QpFilter);
@@ -68,6 +73,7 @@ fn summarise(
         constraints,
         methods,
         projection: projected.map(ProjectionEntry::new),
+        convergence,
     }
 }
 
@@ -85,7 +91,12 @@ fn write(
     }
     create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
     let study = ConditioningStudy { title: scenario.name(), problem, traces, bands: &[] };
-    let figures = draw_conditioning_study(&study, &figures_dir)?;
+    let mut figures = draw_conditioning_study(&study, &figures_dir)?;
+    let points: Vec<_> = summary.convergence.iter().map(Convergence::point).collect();
+    // On logarithmic axes a distance of zero has no place: nothing ever acted, and there is nothing to show.
+    if points.len() >= 2 && points.iter().all(|p| p.mean_distance_m > 0.0) {
+        figures.push(draw_convergence(&ConvergenceStudy { title: scenario.name(), points: &points }, &figures_dir)?);
+    }
     let page = path_report::render(summary, scenario, &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
 }

@@ -6,6 +6,7 @@ mod args;
 mod commands;
 mod compare;
 mod compare_path;
+mod convergence;
 mod diagnostic;
 mod path_report;
 mod path_summary;

@@ -1,3 +1,4 @@
+use crate::convergence::Convergence;
 use serde::Serialize;
 use slideway_baselines::rivals::ProjectedTrace;
 use slideway_lab::conditioning::{PathMethod, PathMethodSummary};
@@ -15,6 +16,8 @@ pub(crate) struct PathSummary {
     pub(crate) methods: Vec<PathMethodSummary>,
     /// How the projection was found, and how good it is.
     pub(crate) projection: Option<ProjectionEntry>,
+    /// Distance of the sliding mode from the QP path against the sampling period; empty with trap avoidance.
+    pub(crate) convergence: Vec<Convergence>,
     /// The verdict.
     pub(crate) verdict: PathVerdict,
 }

@@ -5,8 +5,9 @@ use crate::sweep_error::SweepFailure;
 use crate::sweep_journal::{Journal, Opened, write_csv};
 use crate::sweep_table;
 use indicatif::{ProgressBar, ProgressStyle};
+use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
 use slideway_lab::sweep::{
-    Axis, RowSink, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep,
+    Axis, RowSink, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
 };
 use slideway_lab::{BUILT_IN, Scenario};
 use std::fs;
@@ -128,5 +129,34 @@ fn write(out: &Path, plan: &SweepPlan, rows: &[SweepRow], summary: &SweepSummary
     let path = out.join("summary.json");
     let text = serde_json::to_string_pretty(summary).map_err(|error| failed(&path)(error.into()))? + "\n";
     fs::write(&path, &text).map_err(failed(&path))?;
+    draw(out, plan, rows)?;
     Ok(text)
+}
+
+/// Draws the escape times, one curve per cell of the grid, if the runs have any.
+fn draw(out: &Path, plan: &SweepPlan, rows: &[SweepRow]) -> Result<(), CliError> {
+    let Some(column) = plan.columns().iter().position(|c| c == "escape_s") else { return Ok(()) };
+    let in_cell = |cell: usize| rows.iter().filter(move |row| plan.cell_of(row.run) == cell);
+    let label = |cell: usize| {
+        let values: Vec<String> = plan.cell_values(cell).iter().map(shown).collect();
+        if values.is_empty() { plan.method().to_owned() } else { values.join(", ") }
+    };
+    let cells: Vec<(String, Vec<f64>, usize)> = (0..plan.cells())
+        .map(|cell| {
+            let times: Vec<f64> = in_cell(cell).filter_map(|row| row.values[column]).collect();
+            (label(cell), times, in_cell(cell).filter(|row| !row.completed).count())
+        })
+        // A run without a trap has no escape time and is no failure.
+        .filter(|(_, times, _)| !times.is_empty())
+        .collect();
+    if cells.is_empty() || rows.len() < 2 {
+        return Ok(());
+    }
+    let variants: Vec<EscapeVariant<'_>> = cells
+        .iter()
+        .map(|(label, escape_s, failures)| EscapeVariant { label, escape_s, failures: *failures })
+        .collect();
+    let study = EscapeStudy { title: &plan.request().name, variants: &variants };
+    draw_escape_times(&study, &out.join("figures"))?;
+    Ok(())
 }

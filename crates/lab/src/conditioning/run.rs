@@ -3,8 +3,7 @@ use super::trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMet
 use crate::error::LabError;
 use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
-    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathStep, Reserve, TrapPhase,
-    Walk,
+    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathStep, TrapPhase, Walk,
 };
 
 /// Samples after which a run is given up.
@@ -65,14 +64,14 @@ impl ConditioningProblem {
             PathMethod::SlidingModeImplicit => PathForm::Implicit { recovery_rate: self.recovery_rate },
             _ => PathForm::Sliding { law: self.law, reserve: self.reserve },
         };
-        let explicit = matches!(form, PathForm::Sliding { reserve: Reserve::On { .. }, .. });
+        let explicit = matches!(form, PathForm::Sliding { .. });
         let margin = match &self.margin {
             MarginChoice::None => Margin::None,
             MarginChoice::Band if method == PathMethod::SlidingMode => Margin::Band,
             MarginChoice::Band => Margin::None,
             MarginChoice::Fixed(margins) => Margin::Fixed(std::array::from_fn(|i| margins[i])),
         };
-        // The safe walk needs the explicit form's reserve; the other forms walk as published.
+        // The safe walk belongs to the explicit form, which refuses it without a reserve; the other forms walk as published.
         let trap = self.trap.map(|trap| {
             if explicit { trap } else { slideway_conditioner::path::TrapSettings { walk: Walk::Paper, ..trap } }
         });
