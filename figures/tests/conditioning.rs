@@ -72,7 +72,7 @@ fn axis_labels(name: &str) -> &'static [&'static str] {
     match name {
         "conditioned-path" => &["x (m)", "y (m)", "z (m)", "boundary", "reference"],
         "sigma" => &["time (s)", "mm", "limit", "σ of"],
-        "deviation" => &["time (s)", "mm", "best possible", "implicit: mean"],
+        "deviation" => &["time (s)", "mm", "projection of the reference", "implicit: mean"],
         "push" => &["time (s)", "mm", "available", "correction in z"],
         "phi" => &["time (s)", "φ (mm)", "constraint acts"],
         "trap" => &["time (s)", "of full", "mm", "reference stopped"],

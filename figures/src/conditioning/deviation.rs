@@ -60,8 +60,8 @@ impl Figure for Deviation<'_> {
 
     fn caption(&self) -> String {
         let best = if self.0.run(PathMethod::Projection).is_some() {
-            " The broad line is the projection's distance at the same point of the reference, the least that any allowed \
-             point has; only where a constraint is broken can a method be below it."
+            " The broad line is the projection's distance at the same point of the reference, the nearest \
+             allowed point that was found."
         } else {
             ""
         };
@@ -77,7 +77,7 @@ impl Figure for Deviation<'_> {
         // The panels' titles take the place of the legend.
         let header = header(self.0, "Deviation", "", [], mean);
         let best = self.0.run(PathMethod::Projection).and_then(mean);
-        let best = best.map(|value| reference_entry(&format!("best possible: projection, mean {value}")));
+        let best = best.map(|value| reference_entry(&format!("projection of the reference, mean {value}")));
         let message = "Distance from the reference.".to_owned();
         Header { message, legend: best.into_iter().collect(), ..header }
     }
