@@ -60,12 +60,13 @@ impl SwitchingLaw {
         for (i, ((sample, &k), (part, &acts))) in
             samples.iter().zip(approach).zip(share.iter_mut().zip(active)).enumerate()
         {
-            if !acts {
-                continue;
-            }
             let length = norm(&sample.gradient);
-            let weight = self.weight(cutoff, k);
-            *part = if length > EMPTY { weight * length } else { return Err(HoldReason::EmptyGradient(i)) };
+            if acts && !(length > EMPTY) {
+                return Err(HoldReason::EmptyGradient(i));
+            }
+            // Selected rather than skipped: which constraints act is what no branch predictor foresees.
+            let weight = if acts { self.weight(cutoff, k) } else { 0.0 };
+            *part = if acts { weight * length } else { 0.0 };
             total += *part;
             sum = add_scaled(&sum, -weight, &sample.gradient);
         }
@@ -76,7 +77,8 @@ impl SwitchingLaw {
         };
         // Written so that a NaN, from gradients that overflow, holds as well.
         if length > EMPTY * total {
-            Ok(Push { vector: scaled(stretch, &sum), share: share.map(|s| s / total) })
+            let per_total = 1.0 / total;
+            Ok(Push { vector: scaled(stretch, &sum), share: share.map(|s| s * per_total) })
         } else {
             Err(HoldReason::OpposedGradients)
         }
