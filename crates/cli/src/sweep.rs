@@ -59,7 +59,9 @@ fn plan(arguments: &SweepArguments) -> Result<SweepPlan, CliError> {
     let settings = arguments.set.iter().map(|s| Setting::parse(s)).collect::<Result<_, _>>()?;
     let axes = arguments.grid.iter().map(|g| Axis::parse(g)).collect::<Result<_, _>>()?;
     let seeds = arguments.seeds.map(NonZeroU64::get);
-    Ok(SweepPlan::new(SweepRequest { name, text, method: arguments.method.clone(), seeds, settings, axes })?)
+    let file = Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists());
+    let method = arguments.method.clone();
+    Ok(SweepPlan::new(SweepRequest { name, text, file, method, seeds, settings, axes })?)
 }
 
 /// Name and text of a scenario of either kind, built in or a file.

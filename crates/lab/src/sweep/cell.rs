@@ -54,6 +54,10 @@ impl Cell {
             ScenarioKind::Speed => {
                 let method = speed_method(request.method.as_deref())?;
                 let scenario = Scenario::parse(&request.name, &text).map_err(pointed)?;
+                let scenario = match &request.file {
+                    Some(file) => scenario.in_folder_of(file),
+                    None => scenario,
+                };
                 Subject::Speed { scenario: Box::new(scenario), method }
             }
         };

@@ -2,6 +2,7 @@ use super::cell::Cell;
 use super::error::SweepError;
 use super::row::SweepRow;
 use super::setting::{Axis, Setting, overlap};
+use std::path::PathBuf;
 use toml::Value;
 
 /// Most runs of a sweep: their rows are kept in memory for the summary.
@@ -17,6 +18,8 @@ pub struct SweepRequest {
     pub name: String,
     /// Its text.
     pub text: String,
+    /// Its file, if it has one: files that the scenario names lie beside it.
+    pub file: Option<PathBuf>,
     /// The method; without one the explicit sliding mode.
     pub method: Option<String>,
     /// Seeds `1..=N` of the random walk; without them the scenario's own.
@@ -31,7 +34,15 @@ impl SweepRequest {
     /// One run of a scenario as it is.
     #[must_use]
     pub fn of(name: &str, text: String) -> Self {
-        Self { name: name.to_owned(), text, method: None, seeds: None, settings: Vec::new(), axes: Vec::new() }
+        Self {
+            name: name.to_owned(),
+            text,
+            file: None,
+            method: None,
+            seeds: None,
+            settings: Vec::new(),
+            axes: Vec::new(),
+        }
     }
 }
 
