@@ -107,10 +107,7 @@ impl Loaded {
 
 /// A built-in scenario by name, else a file.
 pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
-    let (stem, text) = match BUILT_IN.iter().find(|b| b.name == name) {
-        Some(built_in) => (name.to_owned(), built_in.text.to_owned()),
-        None => read(name)?,
-    };
+    let (stem, text) = source(name)?;
     let loaded = Loaded::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))?;
     Ok(match loaded {
         // Files that a scenario names lie beside it.
@@ -121,8 +118,11 @@ pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
     })
 }
 
-/// The stem and the text of a scenario file.
-fn read(name: &str) -> Result<(String, String), CliError> {
+/// Name and text of a scenario of either kind: built in, else a file, named by its stem.
+pub(crate) fn source(name: &str) -> Result<(String, String), CliError> {
+    if let Some(built_in) = BUILT_IN.iter().find(|b| b.name == name) {
+        return Ok((name.to_owned(), built_in.text.to_owned()));
+    }
     let path = Path::new(name);
     if !path.exists() {
         return Err(unknown(name));
@@ -136,7 +136,7 @@ pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Op
     CliError::Scenario { error: Box::new(error), file: file.to_owned(), text }
 }
 
-pub(crate) fn unknown(name: &str) -> CliError {
+fn unknown(name: &str) -> CliError {
     let nearest = BUILT_IN
         .iter()
         .map(|b| (edit_distance(name, b.name), b.name))

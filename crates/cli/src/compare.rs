@@ -101,6 +101,14 @@ fn summarise(
     })
 }
 
+/// Makes the folders and writes `summary.json`; the folder of the figures.
+pub(crate) fn write_summary(out: &Path, summary: &impl serde::Serialize) -> Result<PathBuf, CliError> {
+    let figures_dir = out.join("figures");
+    fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
+    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
+    Ok(figures_dir)
+}
+
 /// Creates a file with what `fill` writes into it.
 pub(crate) fn create(
     path: PathBuf,
@@ -123,12 +131,10 @@ fn write(
     optimum: &TimeOptimum,
     summary: &Summary,
 ) -> Result<(), CliError> {
-    let figures_dir = out.join("figures");
-    fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
+    let figures_dir = write_summary(out, summary)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
-    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
     let curve = curve(optimum);
     let study = SpeedStudy {
         title: scenario.name(),

@@ -1,6 +1,6 @@
 use crate::args::CompareArguments;
 use crate::commands::{Outcome, scenario_error};
-use crate::compare::{create, progress, show};
+use crate::compare::{create, progress, show, write_summary};
 use crate::convergence::{Convergence, convergence};
 use crate::diagnostic::CliError;
 use crate::path_report;
@@ -11,7 +11,6 @@ use slideway_lab::LabError;
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner,
 };
-use std::fs;
 use std::path::Path;
 
 /// Runs every method on a path-conditioning scenario.
@@ -84,12 +83,10 @@ fn write(
     traces: &[ConditionedTrace],
     summary: &PathSummary,
 ) -> Result<(), CliError> {
-    let figures_dir = out.join("figures");
-    fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
+    let figures_dir = write_summary(out, summary)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
-    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
     let study = ConditioningStudy { title: scenario.name(), problem, traces, bands: &[] };
     let mut figures = draw_conditioning_study(&study, &figures_dir)?;
     let points: Vec<_> = summary.convergence.iter().map(Convergence::point).collect();

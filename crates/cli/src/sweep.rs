@@ -1,5 +1,5 @@
 use crate::args::SweepArguments;
-use crate::commands::{Outcome, print, scenario_error, unknown};
+use crate::commands::{Outcome, print, source};
 use crate::diagnostic::CliError;
 use crate::sweep_error::SweepFailure;
 use crate::sweep_journal::{Journal, Opened, write_csv};
@@ -9,7 +9,6 @@ use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
 use slideway_lab::sweep::{
     Axis, RowSink, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
 };
-use slideway_lab::{BUILT_IN, Scenario};
 use std::fs;
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::{Path, PathBuf};
@@ -55,26 +54,13 @@ fn in_file(error: CliError, name: &str) -> CliError {
 }
 
 fn plan(arguments: &SweepArguments) -> Result<SweepPlan, CliError> {
-    let (name, text) = scenario_text(&arguments.scenario)?;
+    let (name, text) = source(&arguments.scenario)?;
     let settings = arguments.set.iter().map(|s| Setting::parse(s)).collect::<Result<_, _>>()?;
     let axes = arguments.grid.iter().map(|g| Axis::parse(g)).collect::<Result<_, _>>()?;
     let seeds = arguments.seeds.map(NonZeroU64::get);
     let file = Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists());
     let method = arguments.method.clone();
     Ok(SweepPlan::new(SweepRequest { name, text, file, method, seeds, settings, axes })?)
-}
-
-/// Name and text of a scenario of either kind, built in or a file.
-fn scenario_text(name: &str) -> Result<(String, String), CliError> {
-    if let Some(built_in) = BUILT_IN.iter().find(|b| b.name == name) {
-        return Ok((name.to_owned(), built_in.text.to_owned()));
-    }
-    let path = Path::new(name);
-    if !path.exists() {
-        return Err(unknown(name));
-    }
-    let text = Scenario::read_text(path).map_err(|error| scenario_error(error, name, None))?;
-    Ok((path.file_stem().map_or_else(|| "scenario".into(), |s| s.to_string_lossy().into_owned()), text))
 }
 
 fn jobs(arguments: &SweepArguments) -> NonZeroUsize {
