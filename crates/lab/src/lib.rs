@@ -12,12 +12,16 @@
 
 pub mod conditioning;
 mod controller;
+mod dynamic_limits;
 mod error;
 mod experiment;
 mod formula;
+mod joint_bounds;
 mod joint_curve;
 mod joint_path;
 mod law;
+mod limit_reader;
+mod limit_use;
 mod limits;
 mod metrics;
 mod path;
@@ -33,12 +37,15 @@ mod trace;
 mod tracing;
 
 pub use controller::Demand;
+pub use dynamic_limits::{ToolLimits, TorqueLimits};
 pub use error::{Fault, LabError};
 pub use experiment::Experiment;
 pub use formula::{FormulaError, constant};
+pub use joint_bounds::{JointBounds, JointRange};
 pub use joint_curve::JointCurve;
 pub use joint_path::{JointPath, JointPoint, Piece, PieceKind};
 pub use law::Method;
+pub use limit_use::LimitUse;
 pub use limits::{EndRate, LimitKind, LinearLimit, SpeedLimit};
 pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use path::{CartesianPath, EulerPoint, PathPoint};
