@@ -16,6 +16,7 @@ mod dynamic_limits;
 mod error;
 mod experiment;
 mod formula;
+mod jet;
 mod joint_bounds;
 mod joint_curve;
 mod joint_path;

@@ -1,62 +1,43 @@
 use crate::formula::{FormulaError, MultiFormula};
+use crate::jet::Jet;
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 
-/// A constraint typed as a formula in `x`, `y`, `z` (m) and `t` (s), with every derivative taken symbolically.
+/// A constraint typed as a formula in `x`, `y`, `z` (m) and `t` (s); derivatives are exact to rounding.
 #[derive(Clone, Debug)]
-pub struct ExpressionConstraint {
-    value: MultiFormula,
-    first: [MultiFormula; 4],
-    /// Upper triangle of the Hessian by `x, y, z, t`, row by row.
-    second: [MultiFormula; 10],
-}
+pub struct ExpressionConstraint(MultiFormula);
 
 /// Names of the variables, in the order of the derivatives.
 const VARIABLES: [&str; 4] = ["x", "y", "z", "t"];
 
-/// Index into the upper triangle of a symmetric 4×4 matrix.
-fn pair(i: usize, j: usize) -> usize {
-    let (i, j) = if i <= j { (i, j) } else { (j, i) };
-    [0, 4, 7, 9][i] + j - i
-}
-
 impl ExpressionConstraint {
-    /// Parses `σ(x, y, z, t)` and differentiates it twice.
+    /// Parses `σ(x, y, z, t)`.
     ///
     /// # Errors
     ///
-    /// It does not parse, uses another name, or contains an operator without a derivative.
+    /// It does not parse, or uses another name.
     pub fn new(text: &str) -> Result<Self, FormulaError> {
-        let value = MultiFormula::new(text, &VARIABLES)?;
-        let mut first = Vec::new();
-        let mut second = Vec::new();
-        for (i, name) in VARIABLES.iter().enumerate() {
-            let derivative = value.derivative(name)?;
-            for other in &VARIABLES[i..] {
-                second.push(derivative.derivative(other)?);
-            }
-            first.push(derivative);
-        }
-        let wrong = |_| FormulaError::Syntax { text: text.to_owned(), reason: "derivatives missing".into() };
-        Ok(Self {
-            value,
-            first: first.try_into().map_err(wrong)?,
-            second: second.try_into().map_err(|v: Vec<MultiFormula>| wrong(v))?,
-        })
+        MultiFormula::new(text, &VARIABLES).map(Self)
     }
 }
 
 impl Constraint<3> for ExpressionConstraint {
+    /// Four evaluations, one per variable: the first direction is the variable's, the second the motion's, so that the mixed
+    /// derivative is the rate of that partial derivative along the motion.
     fn sample(&self, motion: &Motion<3>) -> ConstraintSample<3> {
         let [x, y, z] = motion.position;
         let at = [x, y, z, motion.time];
         let along = [motion.velocity[0], motion.velocity[1], motion.velocity[2], 1.0];
-        let rate = |i: usize| (0..4).map(|j| self.second[pair(i, j)].at(&at) * along[j]).sum::<f64>();
+        let partial = |i: usize| {
+            let variable = |j: usize| Jet::variable(at[j], [if i == j { 1.0 } else { 0.0 }, along[j]]);
+            self.0.at(&std::array::from_fn::<Jet, 4, _>(variable)).0
+        };
+        let partials: [_; 4] = std::array::from_fn(partial);
         ConstraintSample {
-            value: self.value.at(&at),
-            gradient: std::array::from_fn(|i| self.first[i].at(&at)),
-            time_rate: self.first[3].at(&at),
-            gradient_rate: std::array::from_fn(rate),
-            time_rate_rate: rate(3),
+            value: partials[0].re,
+            gradient: std::array::from_fn(|i| partials[i].eps1),
+            time_rate: partials[3].eps1,
+            gradient_rate: std::array::from_fn(|i| partials[i].eps1eps2),
+            time_rate_rate: partials[3].eps1eps2,
         }
     }
 }
