@@ -12,6 +12,7 @@
 
 pub mod conditioning;
 mod controller;
+pub mod curve;
 mod error;
 mod experiment;
 mod formula;
