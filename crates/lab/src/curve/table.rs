@@ -35,6 +35,12 @@ pub enum TableError {
         /// Widths accepted.
         expected: Vec<usize>,
     },
+    /// The file cannot be read.
+    #[error("cannot be read: {reason}")]
+    Read {
+        /// What the system says.
+        reason: String,
+    },
     /// What the CSV reader itself refuses.
     #[error("line {line}: {reason}")]
     Unreadable {
@@ -43,6 +49,21 @@ pub enum TableError {
         /// What it says.
         reason: String,
     },
+}
+
+impl TableError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::NotANumber { .. } => {
+                "write numbers with a decimal point, separated by commas; names only in the first row"
+            }
+            Self::WrongWidth { .. } => "give every row as many numbers as a way-point has",
+            Self::Read { .. } => "give the path of a CSV file, relative to the scenario's folder",
+            Self::Unreadable { .. } => "write one way-point a line, numbers separated by commas",
+        }
+    }
 }
 
 fn list(widths: &[usize]) -> String {
