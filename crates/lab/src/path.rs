@@ -161,10 +161,14 @@ pub(crate) fn range(table: &PathTable) -> Result<Range<f64>, LabError> {
     let missing = Fault::Missing("this path is a function of the path parameter: say how far it runs");
     let end = given(table.end, listed.last()).or(default).ok_or_else(|| LabError::value("path.end", missing))?;
     if start < end {
-        Ok(start..end)
-    } else {
-        Err(LabError::value("path.end", Fault::NotIncreasing { before: start, after: end }))
+        return Ok(start..end);
     }
+    let key = match table.listed_key() {
+        _ if table.end.is_some() => "path.end".to_owned(),
+        Some(key) => key,
+        None => "path.start".to_owned(),
+    };
+    Err(LabError::value(key, Fault::NotIncreasing { before: start, after: end }))
 }
 
 fn join(upper: &Vector3<f64>, lower: &Vector3<f64>) -> Vector6<f64> {

@@ -151,6 +151,11 @@ impl PathTable {
         self.waypoints().and_then(|(_, list)| list.at)
     }
 
+    /// The key of that list.
+    pub(crate) fn listed_key(&self) -> Option<String> {
+        self.waypoints().filter(|(_, list)| list.at.is_some()).map(|(key, _)| format!("{key}.at"))
+    }
+
     /// Whether the path is a function of the path parameter itself, so that its end must be given.
     pub(crate) fn is_in_the_parameter(&self) -> bool {
         matches!(self.position, Some(PositionTable::Helix { .. } | PositionTable::Formula { .. }))
