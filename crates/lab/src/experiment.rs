@@ -1,6 +1,7 @@
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
+use crate::limit_use::LimitUse;
 use crate::problem::{ControlSettings, Problem};
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
@@ -42,6 +43,7 @@ trait AnyJoints {
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
 }
 
 impl Experiment {
@@ -114,6 +116,12 @@ impl Experiment {
     pub fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         self.any().tool_trace(trace)
     }
+
+    /// What a run used of each kind of limit that the scenario gives besides constant joint-speed limits.
+    #[must_use]
+    pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.any().limit_use(trace)
+    }
 }
 
 impl<const N: usize> Traced<N> {
@@ -151,5 +159,9 @@ impl<const N: usize> AnyJoints for Traced<N> {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         let tool = |q: &[f64]| self.problem.arm.forward(&slideway_robot::JointVector::from_fn(|i, _| q[i]));
         trace.samples.iter().map(|s| tool(&s.q).translation.vector.into()).collect()
+    }
+
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.problem.limit_use(trace)
     }
 }
