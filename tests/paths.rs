@@ -1,6 +1,6 @@
 //! Every kind of path runs from its scenario to the sampled joint path; what is wrong with way-points is pointed at.
 
-use slideway_lab::{Experiment, LabError, SampledPath, Scenario, locate};
+use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, locate};
 use std::path::Path;
 use std::process::Command;
 
@@ -104,6 +104,14 @@ fn every_kind_of_path_is_sampled_with_derivatives_that_agree_with_differences() 
     for text in tool_paths().iter().map(|p| tool(p)).chain(joint_paths().iter().map(|p| joints(p))) {
         let path = experiment(&text).sample(2000, 0).unwrap_or_else(|error| panic!("{error}\n{text}"));
         check_derivatives(&path, &text);
+    }
+}
+
+#[test]
+fn the_sliding_mode_follows_poses_and_configurations_to_their_end() {
+    for text in [tool(&tool_paths()[8]), joints(&joint_paths()[1])] {
+        let trace = experiment(&text).run(Method::SlidingModeImplicit).expect("runs");
+        assert!(trace.finish_s.is_some(), "{text}");
     }
 }
 
