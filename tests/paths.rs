@@ -258,6 +258,12 @@ fn what_is_wrong_with_way_points_is_pointed_at() {
             "the same",
             "[0.5",
         ),
+        (
+            poses("[[0.5, 0, 0, 0, 0, 0], [0.6, 0, 0, 1, 0, 0]]", "position.lines.blend = -1"),
+            "path.poses.position.lines.blend",
+            "outside [0, 0.5]",
+            "-1",
+        ),
         (poses("[[0.5, 0, 0, 0, 0, 0], [0.5, 0, 0, 1, 0, 0]]", ""), "path.poses.points.1", "no length", "[0.5"),
         (poses("[[0.5, 0, 0, 1, 1, 0, 0], [0.5, 0, 0, 1, 0, 0, 0]]", ""), "path.poses.points.0", "length 1.41", "[0.5"),
         (

@@ -32,7 +32,7 @@ impl PoseCurves {
         let at = Spacing::At(positions.at().to_vec());
         let turns = RotationWaypoints::new(rotations, &at, place.range.clone()).map_err(pointed)?;
         Ok(Self {
-            position: position(&table.position, positions, place)?,
+            position: position(&table.position, positions, place, &rows)?,
             orientation: match table.orientation {
                 PoseOrientationName::Squad => OrientationCurve::Squad(Squad::new(turns)),
                 PoseOrientationName::Slerp => OrientationCurve::Slerp(Slerp::new(turns)),
@@ -41,17 +41,27 @@ impl PoseCurves {
     }
 }
 
-fn position(table: &PosePositionTable, waypoints: Waypoints<3>, place: &Place<'_>) -> Result<PositionCurve, LabError> {
-    let place = place.inside("position");
+fn position(
+    table: &PosePositionTable,
+    waypoints: Waypoints<3>,
+    place: &Place<'_>,
+    rows: &Rows,
+) -> Result<PositionCurve, LabError> {
+    // A row's own error points at the row, one of the table at the shape's key.
+    let pointed = |shape: Place<'_>, error: CurveError| match error.index() {
+        Some(_) => place.waypoint_error(rows, error),
+        None => shape.waypoint_error(rows, error),
+    };
     Ok(match table {
         PosePositionTable::Spline { ends } => {
-            let place = place.inside("spline");
-            let spline = CubicSpline::new(waypoints, place.ends(ends)?);
-            PositionCurve::Spline(spline.map_err(|error| place.error("ends", error))?)
+            let shape = place.inside("position").inside("spline");
+            let spline = CubicSpline::new(waypoints, shape.ends(ends)?);
+            PositionCurve::Spline(spline.map_err(|error| pointed(shape, error))?)
         }
         PosePositionTable::Lines { blend } => {
+            let shape = place.inside("position").inside("lines");
             let lines = BlendedLines::new(waypoints, blend.0);
-            PositionCurve::Lines(lines.map_err(|error| place.error("lines.blend", error))?)
+            PositionCurve::Lines(lines.map_err(|error| pointed(shape, error))?)
         }
     })
 }

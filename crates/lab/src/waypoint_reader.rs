@@ -47,21 +47,22 @@ impl Place<'_> {
     }
 
     pub(crate) fn spline<const D: usize>(&self, table: &SplineTable) -> Result<CubicSpline<D>, LabError> {
-        let waypoints = self.waypoints(&table.list())?;
+        let rows = self.rows(&table.list(), &[D])?;
+        let waypoints = self.waypoints(&rows, &table.list())?;
         let ends = self.ends(&table.ends)?;
-        CubicSpline::new(waypoints, ends).map_err(|error| self.error("ends", error))
+        CubicSpline::new(waypoints, ends).map_err(|error| self.waypoint_error(&rows, error))
     }
 
     pub(crate) fn lines<const D: usize>(&self, table: &LinesTable) -> Result<BlendedLines<D>, LabError> {
-        let waypoints = self.waypoints(&table.list())?;
-        BlendedLines::new(waypoints, table.blend.0).map_err(|error| self.error("blend", error))
+        let rows = self.rows(&table.list(), &[D])?;
+        let waypoints = self.waypoints(&rows, &table.list())?;
+        BlendedLines::new(waypoints, table.blend.0).map_err(|error| self.waypoint_error(&rows, error))
     }
 
-    fn waypoints<const D: usize>(&self, list: &PointList<'_>) -> Result<Waypoints<D>, LabError> {
-        let rows = self.rows(list, &[D])?;
+    fn waypoints<const D: usize>(&self, rows: &Rows, list: &PointList<'_>) -> Result<Waypoints<D>, LabError> {
         let points = rows.numbers.iter().map(|row| SVector::from_column_slice(row)).collect();
         let spacing = self.spacing(list, Spacing::Chord)?;
-        Waypoints::new(points, &spacing, self.range.clone()).map_err(|error| self.waypoint_error(&rows, error))
+        Waypoints::new(points, &spacing, self.range.clone()).map_err(|error| self.waypoint_error(rows, error))
     }
 
     /// The way-points, from the scenario itself or from a CSV file, each with as many numbers as one of the widths says.
@@ -143,6 +144,8 @@ impl Place<'_> {
         match error {
             CurveError::NotIncreasing { index, .. } => self.error(&format!("at.{index}"), error),
             CurveError::ParameterCount { .. } => self.error("at", error),
+            CurveError::Blend { .. } => self.error("blend", error),
+            CurveError::EndDerivative => self.error("ends", error),
             _ => rows.error(error.index(), error),
         }
     }

@@ -28,13 +28,17 @@ impl<const D: usize> BlendedLines<D> {
     ///
     /// # Errors
     ///
-    /// A share outside `[0, 0.5]`.
+    /// A share outside `[0, 0.5]`; way-points so far apart that slopes overflow.
     pub fn new(waypoints: Waypoints<D>, share: f64) -> Result<Self, CurveError> {
         if !(0.0..=0.5).contains(&share) {
             return Err(CurveError::Blend { share });
         }
         let (at, points) = (waypoints.at(), waypoints.points());
-        let slopes = at.windows(2).zip(points.windows(2)).map(|(l, p)| (p[1] - p[0]) / (l[1] - l[0])).collect();
+        let slopes: Vec<SVector<f64, D>> =
+            at.windows(2).zip(points.windows(2)).map(|(l, p)| (p[1] - p[0]) / (l[1] - l[0])).collect();
+        if let Some(index) = slopes.iter().position(|v| !v.iter().all(|x| x.is_finite())) {
+            return Err(CurveError::TooSteep { index });
+        }
         let inner = at.windows(3).map(|l| share * (l[1] - l[0]).min(l[2] - l[1]));
         let widths = std::iter::once(0.0).chain(inner).chain(std::iter::once(0.0)).collect();
         Ok(Self { waypoints, slopes, widths })

@@ -71,6 +71,12 @@ pub enum CurveError {
         /// The angle between them.
         degrees: f64,
     },
+    /// A slope beyond the range of numbers.
+    #[error("the curve near way-point {index} (counted from 0) is too steep for its path parameters")]
+    TooSteep {
+        /// The way-point.
+        index: usize,
+    },
     /// Three points on a line, or two of them in one place: no circle.
     #[error("the three points lie on one line: no circle passes through them")]
     Collinear,
@@ -88,6 +94,7 @@ impl CurveError {
     pub fn index(&self) -> Option<usize> {
         match self {
             Self::NotFinite { index }
+            | Self::TooSteep { index }
             | Self::Repeated { index, .. }
             | Self::NotIncreasing { index, .. }
             | Self::HalfTurn { index, .. } => Some(*index),
@@ -101,6 +108,7 @@ impl CurveError {
         match self {
             Self::TooFew { .. } => "give at least two way-points",
             Self::NotFinite { .. } | Self::EndDerivative => "give finite numbers",
+            Self::TooSteep { .. } => "move the way-points closer together, or their path parameters apart",
             Self::Repeated { .. } => {
                 "remove one of the two; where the position is to stay while the orientation turns, give `spacing = \"uniform\"` or `at`"
             }
