@@ -162,3 +162,13 @@ fn torque_limits_need_masses() {
     let error = Experiment::new(&scenario).expect_err("no masses");
     assert!(matches!(&error, LabError::Value { key, .. } if key == "limits.torque"), "{error}");
 }
+
+#[test]
+fn a_path_that_leaves_the_range_of_a_joint_is_told_where_it_is_farthest_outside() {
+    let text = joint_line("[0, 0]", "[1, -0.5]", "speed = 1\nposition = [[-0.5, 0.8], [-1, 1]]");
+    let excesses = experiment(&text).position_excesses();
+    assert_eq!(excesses.len(), 1);
+    assert_eq!((excesses[0].joint, excesses[0].lambda, excesses[0].position), (0, 1.0, 1.0));
+    let inside = joint_line("[0, 0]", "[1, -0.5]", "speed = 1\nposition = [[-0.5, 1], [-1, 1]]");
+    assert!(experiment(&inside).position_excesses().is_empty());
+}

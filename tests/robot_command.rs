@@ -155,3 +155,21 @@ fn wrong_input_exits_with_2_and_names_the_place_and_a_remedy() {
         assert!(printed.contains(remedy) && !printed.contains("panicked"), "{arguments:?}: {printed}");
     }
 }
+
+#[test]
+fn a_robot_is_read_from_the_table_in_a_scenario_too() {
+    let folder = tempfile::tempdir().expect("folder");
+    let file = folder.path().join("arm.toml");
+    let text = "[robot]\ndh = [{ a = 1, alpha = 0, d = 0 }, { a = 1, alpha = 0, d = 0 }]\n";
+    std::fs::write(&file, text).expect("written");
+    let found = state(&[&file.to_string_lossy(), "--q", "0.3 0.4"]);
+    let built_in = state(&["planar-2r", "--q", "0.3 0.4"]);
+    assert_eq!(found["pose"], built_in["pose"]);
+    // Of two unit rods the determinant of Jᵀ J, turn included, is 2 - cos² q2.
+    let expected = (2.0 - 0.4_f64.cos().powi(2)).sqrt();
+    assert!((built_in["manipulability"].as_f64().expect("number") - expected).abs() < 1e-14);
+    std::fs::write(&file, text.replace("d = 0 }]", "d = \"nan\" }]")).expect("written");
+    let output = slideway(&["robot", &file.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("arm.toml:2"));
+}

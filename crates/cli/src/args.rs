@@ -28,7 +28,7 @@ pub(crate) enum Command {
     /// A sweep that was interrupted goes on where it stopped when the same command is given again. The rows do not depend on
     /// the number of jobs. Exit status: 0 no run failed, 1 some did not complete or broke a constraint, 2 the input is wrong.
     Sweep(SweepArguments),
-    /// Show the built-in scenarios.
+    /// Show the built-in scenarios and robots.
     List,
     /// Print a built-in scenario, to start your own from.
     Show {
@@ -74,7 +74,7 @@ pub(crate) struct CompareArguments {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct RobotArguments {
-    /// Name of a built-in robot (puma560, planar-2r, pa10, ur5e, ur20, panda), or path of a URDF file.
+    /// Name of a built-in robot (`slideway list` shows them), path of a URDF file, or of a scenario (TOML) for the robot in it.
     pub(crate) robot: String,
     /// Joint positions, rad or m, separated by spaces or commas; `pi / 2` and the like between commas [default: zeros].
     #[arg(long, value_name = "NUMBERS", allow_hyphen_values = true)]

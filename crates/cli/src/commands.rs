@@ -3,6 +3,7 @@ use crate::diagnostic::CliError;
 use crate::{compare, robot, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
+use slideway_robot::models::Model;
 use std::io::Write as _;
 use std::path::Path;
 
@@ -42,12 +43,17 @@ pub(crate) fn print(text: &str) {
 }
 
 fn list() -> Outcome {
-    let width = BUILT_IN.iter().map(|b| b.name.len()).max().unwrap_or(0);
-    let line = |b: &slideway_lab::BuiltIn| {
-        let description = Loaded::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default();
-        format!("{:width$}  {description}\n", b.name)
+    let scenario = |b: &slideway_lab::BuiltIn| {
+        (b.name, Loaded::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default())
     };
-    print(&BUILT_IN.iter().map(line).collect::<String>());
+    let robot = |model: Model| (model.name(), model.summary().to_owned());
+    let scenarios: Vec<(&str, String)> = BUILT_IN.iter().map(scenario).collect();
+    let robots: Vec<(&str, String)> = Model::ALL.into_iter().map(robot).collect();
+    let width = scenarios.iter().chain(&robots).map(|(name, _)| name.len()).max().unwrap_or(0);
+    let lines = |entries: &[(&str, String)]| -> String {
+        entries.iter().map(|(name, description)| format!("  {name:width$}  {description}\n")).collect()
+    };
+    print(&format!("scenarios\n{}robots\n{}", lines(&scenarios), lines(&robots)));
     Outcome::Holds
 }
 

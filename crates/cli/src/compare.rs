@@ -100,7 +100,8 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
     };
     let method = |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), &entry);
     let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
-    let verdict = Verdict::new(&methods, traces, &entry, tolerance);
+    let position_excesses = experiment.position_excesses();
+    let verdict = Verdict::new(&methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
     Ok(Summary {
         scenario: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
@@ -108,6 +109,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         optimum: entry,
         optimum_speed_only: speed_only,
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
+        position_excesses,
         verdict,
     })
 }

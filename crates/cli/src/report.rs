@@ -1,4 +1,4 @@
-use crate::summary::{MethodEntry, Summary};
+use crate::summary::{MethodEntry, Summary, excess_in_words};
 use crate::table::short;
 use slideway_figures::Rendered;
 use slideway_lab::Scenario;
@@ -91,6 +91,20 @@ fn method(entry: &MethodEntry) -> String {
     format!("<tr>{cells}</tr>\n")
 }
 
+/// What each method used of the limits besides constant joint-speed limits; nothing where the scenario gives none.
+fn limit_use(summary: &Summary) -> String {
+    let item = |entry: &MethodEntry| {
+        let uses: Vec<String> = entry.limit_use.iter().map(|u| format!("{} {}", u.kind, short(u.share))).collect();
+        (!uses.is_empty()).then(|| format!("<dt>{}</dt><dd>{}</dd>", entry.summary.method, escape(&uses.join(", "))))
+    };
+    let items: String = summary.methods.iter().filter_map(item).collect();
+    if items.is_empty() {
+        items
+    } else {
+        format!("<h2>Largest use of the other limits</h2>\n<p>As shares: 1 is the limit.</p>\n<dl>{items}</dl>\n")
+    }
+}
+
 fn optimum(summary: &Summary) -> String {
     let block = |name: &str, o: &crate::summary::OptimumEntry| {
         format!(
@@ -118,7 +132,16 @@ fn optimum(summary: &Summary) -> String {
         .optimum_speed_only
         .as_ref()
         .map_or_else(String::new, |o| block("The optimum under speed limits alone", o));
-    main + &speed_only
+    let excesses: String = summary
+        .position_excesses
+        .iter()
+        .map(|excess| {
+            format!("<li>{}; ranges of joints are reported, not enforced</li>", escape(&excess_in_words(excess)))
+        })
+        .collect();
+    let notes =
+        if excesses.is_empty() { excesses } else { format!("<h2>Ranges of the joints</h2>\n<ul>{excesses}</ul>\n") };
+    limit_use(summary) + &main + &speed_only + &notes
 }
 
 fn figure(figure: &Rendered) -> String {

@@ -1,9 +1,9 @@
 use crate::args::RobotArguments;
-use crate::commands::{Outcome, edit_distance, print};
+use crate::commands::{Outcome, edit_distance, print, scenario_error, source};
 use crate::diagnostic::CliError;
 use crate::robot_state::{Inputs, RobotState, evaluate};
 use comfy_table::{Table, presets};
-use slideway_lab::{MAX_JOINTS, constant};
+use slideway_lab::{MAX_JOINTS, constant, robot_in};
 use slideway_robot::models::Model;
 use slideway_robot::{ChainEnds, DriveEffects, RobotDescription};
 use std::fmt::Write as _;
@@ -23,11 +23,14 @@ pub(crate) fn run(arguments: &RobotArguments) -> Result<Outcome, CliError> {
     Ok(Outcome::Holds)
 }
 
-/// A built-in robot by name, else a URDF file.
+/// A built-in robot by name, else the robot of a scenario file, else a URDF file.
 fn load(arguments: &RobotArguments) -> Result<RobotDescription, CliError> {
     let name = arguments.robot.as_str();
     let robot = match Model::named(name) {
         Some(model) => built_in(model, arguments)?,
+        None if Path::new(name).extension().is_some_and(|extension| extension == "toml") => {
+            of_scenario(name, arguments)?
+        }
         None => read_urdf(name, arguments)?,
     };
     if robot.joint_count() > MAX_JOINTS {
@@ -42,12 +45,26 @@ fn load(arguments: &RobotArguments) -> Result<RobotDescription, CliError> {
     Ok(robot)
 }
 
-fn built_in(model: Model, arguments: &RobotArguments) -> Result<RobotDescription, CliError> {
+/// The robot of a scenario: for DH tables above all.
+fn of_scenario(name: &str, arguments: &RobotArguments) -> Result<RobotDescription, CliError> {
+    no_links(name, arguments)?;
+    let (_, text) = source(name)?;
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    robot_in(&text, folder).map_err(|error| scenario_error(error, name, Some(text)))
+}
+
+/// Base and tip can be chosen in URDF files only.
+fn no_links(name: &str, arguments: &RobotArguments) -> Result<(), CliError> {
     for (option, link) in [("base", &arguments.base), ("tip", &arguments.tip)] {
         if link.is_some() {
-            return Err(CliError::NoData { option, name: model.name().into(), what: "links to choose from" });
+            return Err(CliError::NoData { option, name: name.into(), what: "links to choose from" });
         }
     }
+    Ok(())
+}
+
+fn built_in(model: Model, arguments: &RobotArguments) -> Result<RobotDescription, CliError> {
+    no_links(model.name(), arguments)?;
     model.describe().map_err(|error| CliError::Robot { error: Box::new(error), name: model.name().into() })
 }
 

@@ -3,7 +3,7 @@ use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{LimitKind, LimitUse, MethodSummary, SampledPath, Trace};
+use slideway_lab::{LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -20,6 +20,8 @@ pub(crate) struct Summary {
     pub(crate) optimum_speed_only: Option<OptimumEntry>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
+    /// Joints that leave their position ranges along the path.
+    pub(crate) position_excesses: Vec<PositionExcess>,
     /// The verdict.
     pub(crate) verdict: Verdict,
 }
@@ -92,6 +94,15 @@ impl From<Violation> for BetweenNodes {
             tool_acceleration: violation.tool_acceleration,
         }
     }
+}
+
+/// A joint that leaves its range, in words.
+pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
+    let PositionExcess { joint, lambda, position, lower, upper, .. } = excess;
+    format!(
+        "joint {} is at {position:.4} at path parameter {lambda:.4}, outside its range [{lower:.4}, {upper:.4}]",
+        joint + 1
+    )
 }
 
 impl OptimumEntry {

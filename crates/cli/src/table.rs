@@ -1,4 +1,4 @@
-use crate::summary::{MethodEntry, OptimumEntry, Summary};
+use crate::summary::{MethodEntry, OptimumEntry, Summary, excess_in_words};
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 
 /// The comparison as a table with what it means, for a terminal.
@@ -85,6 +85,9 @@ fn limit_use(summary: &Summary) -> String {
 
 fn optimum(summary: &Summary) -> String {
     let mut text = optimum_line("optimum T*", &summary.optimum);
+    for excess in &summary.position_excesses {
+        text += &format!("note: {}; ranges of joints are reported, not enforced\n", excess_in_words(excess));
+    }
     if let Some(speed_only) = &summary.optimum_speed_only {
         text += &optimum_line("under speed limits alone", speed_only);
     }

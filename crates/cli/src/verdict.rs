@@ -1,6 +1,6 @@
-use crate::summary::{MethodEntry, OptimumEntry};
+use crate::summary::{MethodEntry, OptimumEntry, excess_in_words};
 use serde::Serialize;
-use slideway_lab::{Method, Trace};
+use slideway_lab::{Method, PositionExcess, PositionSource, Trace};
 
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]
@@ -39,6 +39,14 @@ impl Verdict {
             _ => "No: there is nothing to compare.".into(),
         };
         Self { method, ratio, tolerance, holds, sentence }
+    }
+
+    /// The same verdict, unless the path leaves position ranges that the scenario gives: then no time counts.
+    pub(crate) fn under_position_limits(self, excesses: &[PositionExcess]) -> Self {
+        match excesses.iter().find(|excess| excess.source == PositionSource::Scenario) {
+            None => self,
+            Some(excess) => Self { holds: false, sentence: format!("No: {}.", excess_in_words(excess)), ..self },
+        }
     }
 }
 

@@ -2,6 +2,7 @@ use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
 use crate::limit_use::LimitUse;
+use crate::position_limits::PositionExcess;
 use crate::problem::{ControlSettings, Problem};
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
@@ -44,6 +45,7 @@ trait AnyJoints {
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
+    fn position_excesses(&self) -> Vec<PositionExcess>;
 }
 
 impl Experiment {
@@ -122,6 +124,12 @@ impl Experiment {
     pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
         self.any().limit_use(trace)
     }
+
+    /// The joints that leave their ranges along the path.
+    #[must_use]
+    pub fn position_excesses(&self) -> Vec<PositionExcess> {
+        self.any().position_excesses()
+    }
 }
 
 impl<const N: usize> Traced<N> {
@@ -163,5 +171,9 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
         self.problem.limit_use(trace)
+    }
+
+    fn position_excesses(&self) -> Vec<PositionExcess> {
+        self.problem.position_limits.excesses(&self.path)
     }
 }

@@ -6,6 +6,7 @@ use crate::limit_reader::LimitReader;
 use crate::limits::EndRate;
 use crate::path::CartesianPath;
 use crate::placement::Placement;
+use crate::position_limits::PositionLimits;
 use crate::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
 use crate::scenario::Scenario;
@@ -34,6 +35,8 @@ pub struct Problem<const N: usize> {
     pub torque_limits: Option<TorqueLimits<N>>,
     /// Limits of the tool.
     pub tool_limits: ToolLimits,
+    /// How far the joints may go: reported, not enforced.
+    pub position_limits: PositionLimits<N>,
     /// Path rate at the path's first point.
     pub start_rate: EndRate,
     /// Path rate at its last point.
@@ -114,6 +117,7 @@ impl<const N: usize> Problem<N> {
             acceleration_limits: limits.acceleration()?,
             torque_limits: limits.torque()?,
             tool_limits: limits.tool()?,
+            position_limits: PositionLimits::new(file.limits.position.as_ref(), robot)?,
             start_rate: limits.end_rate("limits.start_rate", file.limits.start_rate)?,
             end_rate: limits.end_rate("limits.end_rate", file.limits.end_rate)?,
             control: control(&file.control)?,

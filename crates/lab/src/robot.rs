@@ -1,20 +1,42 @@
 use crate::error::{Fault, LabError};
 use crate::scenario::Scenario;
 use crate::scenario::schema::{DhTable, ModelName, RobotTable};
+use serde::Deserialize;
 use slideway_robot::models::Model;
 use slideway_robot::{ChainEnds, DhRow, RobotDescription};
+use std::path::{Path, PathBuf};
 
 /// Most joints an arm may have.
 pub const MAX_JOINTS: usize = 7;
 
 /// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints.
 pub(crate) fn describe(scenario: &Scenario) -> Result<RobotDescription, LabError> {
-    let table = &scenario.file.robot;
+    describe_table(&scenario.file.robot, scenario.folder())
+}
+
+/// A text with a robot in it: a scenario, or its `[robot]` table alone.
+#[derive(Deserialize)]
+struct RobotText {
+    robot: RobotTable,
+}
+
+/// The robot in the text of a scenario, or in a text with a `[robot]` table alone; files that it names lie in `folder`.
+///
+/// # Errors
+///
+/// No robot or several, a file that gives none, or a number of joints that is not supported.
+pub fn robot_in(text: &str, folder: &Path) -> Result<RobotDescription, LabError> {
+    let file: RobotText = toml::from_str(text)
+        .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
+    describe_table(&file.robot, folder)
+}
+
+fn describe_table(table: &RobotTable, folder: &Path) -> Result<RobotDescription, LabError> {
     check_one_source(table)?;
     let robot = match (table.model, &table.dh, &table.urdf) {
         (Some(name), _, _) => model(name).describe().map_err(|error| LabError::value("robot.model", error))?,
         (None, Some(rows), _) => RobotDescription::from_dh("robot", &rows.iter().map(dh_row).collect::<Vec<_>>()),
-        (None, None, Some(file)) => from_urdf(scenario, file)?,
+        (None, None, Some(file)) => from_urdf(table, folder.join(file))?,
         (None, None, None) => {
             let missing = Fault::Missing("say which robot: `model`, a `dh` table or a `urdf` file");
             return Err(LabError::value("robot", missing));
@@ -53,9 +75,7 @@ fn check_one_source(table: &RobotTable) -> Result<(), LabError> {
     Ok(())
 }
 
-fn from_urdf(scenario: &Scenario, file: &str) -> Result<RobotDescription, LabError> {
-    let table = &scenario.file.robot;
-    let path = scenario.resolve(file);
+fn from_urdf(table: &RobotTable, path: PathBuf) -> Result<RobotDescription, LabError> {
     let ends = ChainEnds { base: table.base.clone(), tip: table.tip.clone() };
     RobotDescription::read_urdf(&path, &ends)
         .map_err(|error| LabError::value("robot.urdf", Fault::Urdf { path, error: Box::new(error) }))

@@ -184,7 +184,7 @@ fn every_model_with_masses_has_a_positive_definite_mass_matrix() {
     let q = JointVector::<6>::new(0.3, -1.0, 0.8, 0.2, 0.9, -0.4);
     assert!(ur20.mass_matrix(&q).cholesky().is_some());
     // Stretched along -x, the shoulder carries every link by its lever: Σ m x g.
-    let lever = 29.632 * (0.862 - 0.5226) + 7.879 * (0.862 + 0.7287 - 0.3234) + (3.054 + 3.126 + 0.846) * 1.5907;
+    let lever = 29.632 * (0.862 - 0.5226) + 7.879 * (0.862 + 0.7287 - 0.3234) + (3.054 + 3.126 + 0.926) * 1.5907;
     let held = ur20.gravity_torque(&JointVector::<6>::zeros());
     assert!((held[1] + 9.81 * lever).abs() < 1e-9, "{held} for {lever}");
     let rods = Model::Planar2R.describe().expect("built in").dynamics::<2>().expect("masses");

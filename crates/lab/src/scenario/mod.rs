@@ -111,14 +111,9 @@ impl Scenario {
         Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), ..self }
     }
 
-    /// The folder that paths in the scenario are relative to.
+    /// The folder in which files that the scenario names lie.
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
-    }
-
-    /// A path in the scenario, as seen from the current folder.
-    pub(crate) fn resolve(&self, path: &str) -> PathBuf {
-        self.folder.join(path)
     }
 
     /// Name on the command line, or the stem of the file.

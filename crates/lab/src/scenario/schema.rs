@@ -175,6 +175,7 @@ pub(crate) struct LimitsTable {
     pub(crate) torque_lower: Option<PerJointLimit>,
     #[serde(default)]
     pub(crate) drive_effects: Vec<DriveEffectName>,
+    pub(crate) position: Option<Vec<[Number; 2]>>,
     pub(crate) tool_speed: Option<Number>,
     pub(crate) tool_acceleration: Option<Number>,
     pub(crate) start_rate: Option<Number>,

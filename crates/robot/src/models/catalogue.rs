@@ -11,9 +11,11 @@ pub enum Model {
     Planar2R,
     /// Mitsubishi PA-10, seven joints, geometry only: 0.317, 0.45, 0.5 and 0.08 m along the stretched arm.
     Pa10,
-    /// Universal Robots UR5e, six joints, geometry and speed limits, from the manufacturer's table of DH parameters.
+    /// Universal Robots UR5e, six joints, geometry and limits, from the manufacturer's table of DH parameters and published
+    /// robot description.
     Ur5e,
-    /// Universal Robots UR20, six joints, with dynamics, from the manufacturer's table of DH parameters and dynamics.
+    /// Universal Robots UR20, six joints, with dynamics, from the manufacturer's table of DH parameters and
+    /// dynamics and published robot description.
     Ur20,
     /// Franka Emika Panda, seven joints, geometry and limits from the manufacturer's interface specification; the tool is
     /// the flange.
@@ -44,8 +46,8 @@ impl Model {
             Self::Puma560 => "PUMA-560, 6 joints, dynamics; base at the shoulder, tool at the wrist centre",
             Self::Planar2R => "two thin rods of 1 m and 1 kg in the horizontal plane, dynamics",
             Self::Pa10 => "Mitsubishi PA-10, 7 joints, geometry",
-            Self::Ur5e => "Universal Robots UR5e, 6 joints, geometry and speed limits",
-            Self::Ur20 => "Universal Robots UR20, 6 joints, speed limits and dynamics",
+            Self::Ur5e => "Universal Robots UR5e, 6 joints, geometry and limits",
+            Self::Ur20 => "Universal Robots UR20, 6 joints, limits and dynamics",
             Self::Panda => "Franka Emika Panda, 7 joints, geometry and limits, tool at the flange",
         }
     }
@@ -127,7 +129,8 @@ fn pa10() -> RobotDescription {
     RobotDescription::from_dh("pa10", &rows)
 }
 
-fn universal(name: &str, a: [f64; 2], d: [f64; 4], speeds: [f64; 6]) -> RobotDescription {
+/// Lengths in m, speeds in degrees per second, torques in Nm; the elbow turns half a turn either way, the others a whole one.
+fn universal(name: &str, a: [f64; 2], d: [f64; 4], speeds: [f64; 6], efforts: [f64; 6]) -> RobotDescription {
     let rows = [
         row(0.0, FRAC_PI_2, d[0]),
         row(a[0], 0.0, 0.0),
@@ -137,28 +140,31 @@ fn universal(name: &str, a: [f64; 2], d: [f64; 4], speeds: [f64; 6]) -> RobotDes
         row(0.0, 0.0, d[3]),
     ];
     let mut robot = RobotDescription::from_dh(name, &rows);
-    for (joint, speed) in robot.joints.iter_mut().zip(speeds) {
-        let position = Some(PositionRange { lower: -2.0 * PI, upper: 2.0 * PI });
-        joint.limits = JointLimits { position, velocity: Some(f64::to_radians(speed)), effort: None };
+    for (i, joint) in robot.joints.iter_mut().enumerate() {
+        let reach = if i == 2 { PI } else { 2.0 * PI };
+        let position = Some(PositionRange { lower: -reach, upper: reach });
+        joint.limits = JointLimits { position, velocity: Some(speeds[i].to_radians()), effort: Some(efforts[i]) };
     }
     robot
 }
 
 fn ur5e() -> RobotDescription {
-    universal("ur5e", [-0.425, -0.3922], [0.1625, 0.1333, 0.0997, 0.0996], [180.0; 6])
+    let efforts = [150.0, 150.0, 150.0, 28.0, 28.0, 28.0];
+    universal("ur5e", [-0.425, -0.3922], [0.1625, 0.1333, 0.0997, 0.0996], [180.0; 6], efforts)
 }
 
 fn ur20() -> RobotDescription {
     let speeds = [120.0, 120.0, 150.0, 210.0, 210.0, 210.0];
-    let mut robot = universal("ur20", [-0.8620, -0.7287], [0.2363, 0.2010, 0.1593, 0.1543], speeds);
+    let efforts = [738.0, 738.0, 433.0, 107.0, 107.0, 107.0];
+    let mut robot = universal("ur20", [-0.8620, -0.7287], [0.2363, 0.2010, 0.1593, 0.1543], speeds, efforts);
     // Mass, centre of mass, and the matrix by its entries xx, yy, zz, xy, xz, yz, all in the frame of the DH convention.
     let links = [
-        (16.343, [0.0, -0.0610, 0.0062], [0.0887, 0.0763, 0.0842, -0.0001, -0.0001, 0.0072]),
-        (29.632, [0.5226, 0.0, 0.2098], [0.1467, 4.6659, 4.6348, 0.0002, -0.0516, 0.0]),
-        (7.879, [0.3234, 0.0, 0.0604], [0.0261, 0.7576, 0.7533, -0.0001, -0.0290, 0.0]),
-        (3.054, [0.0, -0.0026, 0.0393], [0.0056, 0.0054, 0.0040, 0.0, 0.0, 0.0004]),
-        (3.126, [0.0, 0.0024, 0.0379], [0.0059, 0.0058, 0.0043, 0.0, 0.0, -0.0004]),
-        (0.846, [0.0, -0.0003, -0.0318], [0.0009, 0.0009, 0.0012, 0.0, 0.0, 0.0]),
+        (16.343, [0.0, -0.0610, 0.0062], [0.08866, 0.07632, 0.08418, -0.00011, -0.00011, 0.00720]),
+        (29.632, [0.5226, 0.0, 0.2098], [0.14670, 4.66590, 4.63480, 0.00019, -0.05163, 0.00004]),
+        (7.879, [0.3234, 0.0, 0.0604], [0.02612, 0.75763, 0.75327, -0.00005, -0.02898, -0.00001]),
+        (3.054, [0.0, -0.0026, 0.0393], [0.00555, 0.00537, 0.00402, -0.00001, -0.00002, 0.00036]),
+        (3.126, [0.0, 0.0024, 0.0379], [0.00586, 0.00578, 0.00427, -0.00001, -0.00002, -0.00037]),
+        (0.926, [0.0, 0.0, -0.0293], [0.00092, 0.00091, 0.00117, 0.0, 0.0, 0.0]),
     ];
     let rows = robot.dh.clone().unwrap_or_default();
     for (i, (mass, com, [xx, yy, zz, xy, xz, yz])) in links.into_iter().enumerate() {
