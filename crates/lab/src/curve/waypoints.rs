@@ -67,13 +67,16 @@ impl<const D: usize> Waypoints<D> {
     }
 }
 
-/// At least two points, all finite.
+/// At least two points, all finite, and so are the distances between neighbours.
 fn check_points<const D: usize>(points: &[SVector<f64, D>]) -> Result<(), CurveError> {
     if points.len() < 2 {
         return Err(CurveError::TooFew { found: points.len() });
     }
-    match points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
-        Some(index) => Err(CurveError::NotFinite { index }),
+    if let Some(index) = points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+        return Err(CurveError::NotFinite { index });
+    }
+    match distances(points).iter().position(|d| !d.is_finite()) {
+        Some(i) => Err(CurveError::TooSteep { index: i + 1 }),
         None => Ok(()),
     }
 }

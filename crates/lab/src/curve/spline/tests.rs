@@ -181,8 +181,11 @@ fn an_end_derivative_that_is_not_finite_is_refused() {
 
 #[test]
 fn slopes_that_overflow_are_refused() {
-    let points = vec![Vector1::new(-1e300), Vector1::new(1e300), Vector1::new(0.0)];
-    let waypoints = Waypoints::new(points, &Spacing::At(vec![0.0, 1e-9, 1.0]), 0.0..1.0).expect("valid");
+    let points = vec![Vector1::new(-1e150), Vector1::new(1e150), Vector1::new(0.0)];
+    let waypoints = Waypoints::new(points, &Spacing::At(vec![0.0, 1e-200, 1.0]), 0.0..1.0).expect("valid");
     let refused = CubicSpline::new(waypoints, SplineEnds::Natural).err();
     assert!(matches!(refused, Some(CurveError::TooSteep { .. })), "{refused:?}");
+    let far = vec![Vector1::new(-1e300), Vector1::new(1e300)];
+    let refused = Waypoints::new(far, &Spacing::Uniform, 0.0..1.0).err();
+    assert_eq!(refused, Some(CurveError::TooSteep { index: 1 }));
 }
