@@ -120,6 +120,9 @@ pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
         Loaded::Speed(scenario) if Path::new(name).exists() => {
             Loaded::Speed(Box::new(scenario.in_folder_of(Path::new(name))))
         }
+        Loaded::Conditioning(scenario) if Path::new(name).exists() => {
+            Loaded::Conditioning(Box::new(scenario.in_folder_of(Path::new(name))))
+        }
         loaded => loaded,
     })
 }

@@ -1,3 +1,4 @@
+use crate::curve::{CurveError, TableError};
 use crate::formula::FormulaError;
 use slideway_conditioner::ParameterError;
 use slideway_robot::{RobotError, UrdfError};
@@ -118,6 +119,43 @@ pub enum Fault {
         /// A point of the reference near that place, m.
         near: [f64; 3],
     },
+    /// A way-point, or a derivative at one, with too few or too many numbers.
+    #[error("{found} numbers given, {} needed", widths(expected))]
+    WaypointLength {
+        /// Numbers found.
+        found: usize,
+        /// Numbers that would do.
+        expected: Vec<usize>,
+    },
+    /// Listed path parameters that leave a part of the path without way-points.
+    #[error("the list runs from {} to {}, the path from {} to {}", listed[0], listed[1], path[0], path[1])]
+    NotCovered {
+        /// First and last of the list.
+        listed: [f64; 2],
+        /// Start and end of the path.
+        path: [f64; 2],
+    },
+    /// Way-points or rotations that no curve joins.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+    /// A CSV file that does not hold way-points.
+    #[error("{}: {error}", path.display())]
+    Csv {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        error: TableError,
+    },
+    /// Way-points in a CSV file that no curve joins.
+    #[error("{}: {}{error}", path.display(), line.map_or_else(String::new, |line| format!("line {line}: ")))]
+    CsvWaypoint {
+        /// The file.
+        path: PathBuf,
+        /// The line of the way-point, counted from 1, if the error is about a single one.
+        line: Option<u64>,
+        /// What is wrong.
+        error: CurveError,
+    },
     /// A formula that cannot be used.
     #[error(transparent)]
     Formula(#[from] FormulaError),
@@ -135,6 +173,10 @@ pub enum Fault {
         /// What is wrong with it.
         error: Box<UrdfError>,
     },
+}
+
+fn widths(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(" or ")
 }
 
 impl Fault {
@@ -160,6 +202,12 @@ impl Fault {
                 "write the constraint so that it crosses zero with a slope, for example `r - 1` instead of `(r - 1)^2`"
                     .into()
             }
+            Self::WaypointLength { .. } => {
+                "give x, y, z for a position, x, y, z and alpha, beta, gamma or the quaternion w, x, y, z for a pose, one number per joint for a configuration".into()
+            }
+            Self::NotCovered { .. } => "extend the list, or choose `start` and `end` of the path inside it".into(),
+            Self::Curve(error) | Self::CsvWaypoint { error, .. } => error.remedy().into(),
+            Self::Csv { error, .. } => error.remedy().into(),
             Self::Formula(_) => "formulas use + - * / ^, sin, cos, exp, sqrt and the like, `lambda` and `pi`".into(),
             Self::Conditioner(ParameterError::FilterStep { .. }) => {
                 "lower `control.bandwidth` or `control.sampling_period` until their product is at most 1".into()

@@ -1,9 +1,12 @@
+use crate::curve::{BlendedLines, CubicSpline};
 use crate::error::LabError;
 use crate::path::range;
 use crate::problem::joints;
 use crate::scenario::schema::{JointsTable, PathTable};
+use crate::waypoint_reader::Place;
 use slideway_robot::JointVector;
 use std::ops::Range;
+use std::path::Path;
 
 /// A path of the joints: configurations as a function of the path parameter `λ`, rad (m for joints that slide).
 #[derive(Clone, Debug)]
@@ -16,16 +19,21 @@ pub struct JointCurve<const N: usize> {
 #[derive(Clone, Debug)]
 enum Shape<const N: usize> {
     Line { from: JointVector<N>, rate: JointVector<N> },
+    Spline(CubicSpline<N>),
+    Lines(BlendedLines<N>),
 }
 
 impl<const N: usize> JointCurve<N> {
-    pub(crate) fn new(path: &PathTable, table: &JointsTable) -> Result<Self, LabError> {
+    pub(crate) fn new(path: &PathTable, table: &JointsTable, folder: &Path) -> Result<Self, LabError> {
         let range = range(path)?;
+        let place = |key: &str| Place { key: key.to_owned(), folder, range: range.clone() };
         let shape = match table {
             JointsTable::Line { from, to } => {
                 let (from, to) = (joints("path.joints.line.from", from)?, joints("path.joints.line.to", to)?);
                 Shape::Line { from, rate: (to - from) / (range.end - range.start) }
             }
+            JointsTable::Spline(table) => Shape::Spline(place("path.joints.spline").spline(table)?),
+            JointsTable::Lines(table) => Shape::Lines(place("path.joints.lines").lines(table)?),
         };
         Ok(Self { range, shape })
     }
@@ -46,7 +54,10 @@ impl<const N: usize> JointCurve<N> {
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         match &self.shape {
-            Shape::Line { .. } => Vec::new(),
+            Shape::Line { .. } | Shape::Spline(_) => Vec::new(),
+            Shape::Lines(lines) => {
+                lines.kinks().into_iter().filter(|at| *at > self.range.start && *at < self.range.end).collect()
+            }
         }
     }
 
@@ -55,6 +66,8 @@ impl<const N: usize> JointCurve<N> {
     pub fn at(&self, lambda: f64) -> [JointVector<N>; 3] {
         match &self.shape {
             Shape::Line { from, rate } => [from + rate * (lambda - self.range.start), *rate, JointVector::zeros()],
+            Shape::Spline(spline) => spline.at(lambda),
+            Shape::Lines(lines) => lines.at(lambda),
         }
     }
 }

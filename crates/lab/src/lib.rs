@@ -12,6 +12,7 @@
 
 pub mod conditioning;
 mod controller;
+pub mod curve;
 mod dynamic_limits;
 mod error;
 mod experiment;
@@ -25,8 +26,11 @@ mod limit_reader;
 mod limit_use;
 mod limits;
 mod metrics;
+mod orientation;
 mod path;
 mod placement;
+mod poses;
+mod position;
 mod position_limits;
 mod problem;
 mod reference;
@@ -37,6 +41,7 @@ mod simulate;
 pub mod sweep;
 mod trace;
 mod tracing;
+mod waypoint_reader;
 
 pub use controller::Demand;
 pub use dynamic_limits::{ToolLimits, TorqueLimits};

@@ -56,9 +56,9 @@ impl<const N: usize> Placement<'_, N> {
                 return Err(LabError::value("start.q", fault));
             }
             self.problem.start = joints::<N>("start.q", q)?;
-            self.problem.path_start = self.solve_pose(tool, &first.pose, None, Some(self.problem.start), key)?;
+            self.problem.path_start = self.solve_pose(tool, &first.pose, None, Some(self.problem.start), &key)?;
         } else {
-            self.problem.path_start = self.solve_pose(tool, &first.pose, branch, near, key)?;
+            self.problem.path_start = self.solve_pose(tool, &first.pose, branch, near, &key)?;
             self.problem.start = match &table.pose {
                 Some(numbers) => {
                     let near = near.or(Some(self.problem.path_start));

@@ -11,7 +11,7 @@ use crate::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
 use crate::scenario::Scenario;
 use crate::scenario::number::Number;
-use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, ScenarioFile, TaskName};
+use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, TaskName};
 use nalgebra::Translation3;
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
@@ -106,7 +106,7 @@ impl<const N: usize> Problem<N> {
         scenario.check_options()?;
         let file = &scenario.file;
         let arm = robot.arm().map_err(|error| LabError::value(robot_key(&file.robot), error))?;
-        let path: Reference<N> = reference(file)?;
+        let path: Reference<N> = reference(scenario)?;
         let limits = LimitReader { table: &file.limits, robot, path: path.start()..path.end() };
         let speed = limits.speed::<N>()?;
         let mut problem = Self {
@@ -132,20 +132,24 @@ impl<const N: usize> Problem<N> {
 }
 
 /// The path and, for one of the tool, how the controller follows it.
-fn reference<const N: usize>(file: &ScenarioFile) -> Result<Reference<N>, LabError> {
+fn reference<const N: usize>(scenario: &Scenario) -> Result<Reference<N>, LabError> {
+    let file = &scenario.file;
     if let Some(joints) = &file.path.joints {
-        let shared =
-            [("path.position", file.path.position.is_some()), ("path.orientation", file.path.orientation.is_some())];
+        let shared = [
+            ("path.position", file.path.position.is_some()),
+            ("path.orientation", file.path.orientation.is_some()),
+            ("path.poses", file.path.poses.is_some()),
+        ];
         if let Some((key, _)) = shared.into_iter().find(|(_, given)| *given) {
             let fault = Fault::Conflict("a path of the joints (`path.joints`) leaves nothing for the tool to say");
             return Err(LabError::value(key, fault));
         }
-        return Ok(Reference::Joint(JointCurve::new(&file.path, joints)?));
+        return Ok(Reference::Joint(JointCurve::new(&file.path, joints, scenario.folder())?));
     }
     let missing = Fault::Missing("a path of the tool needs an inverse, for example `[robot.inverse.adjugate]`");
     let table = file.robot.inverse.as_ref().ok_or_else(|| LabError::value("robot.inverse", missing))?;
     let tool = ToolReference {
-        path: CartesianPath::new(&file.path, file.robot.task)?,
+        path: CartesianPath::new(&file.path, file.robot.task, scenario.folder())?,
         task: task(file.robot.task),
         inverse: inverse(table),
     };

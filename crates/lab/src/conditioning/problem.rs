@@ -2,9 +2,11 @@ use super::constraint::NamedConstraint;
 use super::schema::{ConditionerTable, ConditioningFile, LawTable, MarginTable, ReferenceTable, TrapTable, WalkTable};
 use super::trace::MAX_CONSTRAINTS;
 use crate::error::{Fault, LabError};
-use crate::path::PositionCurve;
+use crate::position::PositionCurve;
 use crate::scenario::number::Number;
+use crate::waypoint_reader::Place;
 use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, TrapSettings, Walk};
+use std::path::Path;
 
 /// A reference with its constraints and the parameters of every method.
 #[derive(Clone, Debug)]
@@ -82,13 +84,14 @@ impl Reference {
         Motion { time: t, position: position.into(), velocity: (derivative * (self.rate * pace)).into() }
     }
 
-    fn new(table: &ReferenceTable) -> Result<Self, LabError> {
+    fn new(table: &ReferenceTable, folder: &Path) -> Result<Self, LabError> {
         let (start, end) = (table.start.0, table.end.0);
         if !(start < end) {
             return Err(LabError::value("reference.end", Fault::NotIncreasing { before: start, after: end }));
         }
         let rate = positive("reference.rate", table.rate)?;
-        let curve = PositionCurve::new(&table.position, start, end, "reference.position")?;
+        let place = Place { key: "reference.position".to_owned(), folder, range: start..end };
+        let curve = PositionCurve::new(&table.position, &place)?;
         let default = 20.0 * (end - start) / rate;
         let max_duration = table.max_duration.map_or(Ok(default), |d| positive("reference.max_duration", d))?;
         let reference = Self { curve, start, end, rate, max_duration };
@@ -107,7 +110,7 @@ fn positive(key: &str, number: Number) -> Result<f64, LabError> {
 }
 
 impl ConditioningProblem {
-    pub(crate) fn new(file: &ConditioningFile) -> Result<Self, LabError> {
+    pub(crate) fn new(file: &ConditioningFile, folder: &Path) -> Result<Self, LabError> {
         if file.constraint.is_empty() || file.constraint.len() > MAX_CONSTRAINTS {
             let fault =
                 Fault::OutOfRange { value: file.constraint.len() as f64, least: 1.0, most: MAX_CONSTRAINTS as f64 };
@@ -122,7 +125,7 @@ impl ConditioningProblem {
         let conditioner = &file.conditioner;
         let field = &file.potential_field;
         let problem = Self {
-            reference: Reference::new(&file.reference)?,
+            reference: Reference::new(&file.reference, folder)?,
             margin: margin(conditioner, constraints.len())?,
             constraints,
             sampling_period: positive("conditioner.sampling_period", conditioner.sampling_period)?,

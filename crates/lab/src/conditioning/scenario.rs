@@ -1,12 +1,14 @@
 use super::problem::ConditioningProblem;
 use super::schema::ConditioningFile;
 use crate::error::LabError;
+use std::path::{Path, PathBuf};
 
 /// The scenario of a path-conditioning study: its text and what the text says.
 #[derive(Clone, Debug)]
 pub struct ConditioningScenario {
     name: String,
     text: String,
+    folder: PathBuf,
     file: ConditioningFile,
 }
 
@@ -19,7 +21,14 @@ impl ConditioningScenario {
     pub fn parse(name: &str, text: &str) -> Result<Self, LabError> {
         let file = toml::from_str(text)
             .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
-        Ok(Self { name: name.to_owned(), text: text.to_owned(), file })
+        Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
+    }
+
+    /// The same scenario with the paths in it relative to the folder of a file; as parsed they are relative to the current
+    /// folder.
+    #[must_use]
+    pub fn in_folder_of(self, file: &Path) -> Self {
+        Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), ..self }
     }
 
     /// The problem it describes.
@@ -28,7 +37,7 @@ impl ConditioningScenario {
     ///
     /// The first value that cannot be used, with its key.
     pub fn problem(&self) -> Result<ConditioningProblem, LabError> {
-        ConditioningProblem::new(&self.file)
+        ConditioningProblem::new(&self.file, &self.folder)
     }
 
     /// Name on the command line, or the stem of the file.

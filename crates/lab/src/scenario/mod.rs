@@ -1,10 +1,11 @@
 //! Scenario files: a robot, a path, limits and a controller, in TOML.
 
+pub(crate) mod curves;
 pub(crate) mod number;
 pub(crate) mod schema;
 
 use crate::error::{Fault, LabError};
-use schema::{PositionTable, ScenarioFile};
+use schema::ScenarioFile;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -151,13 +152,8 @@ impl Scenario {
     }
 
     /// The key of the path's first point, for errors about it.
-    pub(crate) fn path_start_key(&self) -> &'static str {
-        match self.file.path.position {
-            Some(PositionTable::Helix { .. }) => "path.position.helix.start",
-            Some(PositionTable::Line { .. }) => "path.position.line.from",
-            Some(PositionTable::Formula { .. }) => "path.position.formula",
-            None => "path",
-        }
+    pub(crate) fn path_start_key(&self) -> String {
+        self.file.path.start_key()
     }
 
     /// Default tolerance of the verdict, as a fraction.

@@ -1,5 +1,6 @@
 //! The scenario file as it is written: plain tables, no meaning checked beyond shape.
 
+use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
 use serde::Deserialize;
 
@@ -118,10 +119,10 @@ pub(crate) enum WristName {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PathTable {
-    #[serde(default)]
-    pub(crate) start: Number,
-    pub(crate) end: Number,
+    pub(crate) start: Option<Number>,
+    pub(crate) end: Option<Number>,
     pub(crate) position: Option<PositionTable>,
+    pub(crate) poses: Option<PosesTable>,
     pub(crate) joints: Option<JointsTable>,
     pub(crate) orientation: Option<OrientationTable>,
 }
@@ -131,6 +132,9 @@ pub(crate) struct PathTable {
 pub(crate) enum PositionTable {
     Helix { start: [Number; 3], radius: Number, climb: Number },
     Line { from: [Number; 3], to: [Number; 3] },
+    Arc { from: [Number; 3], via: [Number; 3], to: [Number; 3] },
+    Spline(SplineTable),
+    Lines(LinesTable),
     Formula { x: String, y: String, z: String },
 }
 
@@ -139,6 +143,8 @@ pub(crate) enum PositionTable {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum JointsTable {
     Line { from: Vec<Number>, to: Vec<Number> },
+    Spline(SplineTable),
+    Lines(LinesTable),
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -147,6 +153,8 @@ pub(crate) enum OrientationTable {
     Constant { euler: [Number; 3] },
     PiecewiseLinear { knots: Vec<KnotTable> },
     Formula { alpha: String, beta: String, gamma: String },
+    Slerp { from: RotationTable, to: RotationTable },
+    Squad { rotations: Vec<RotationTable>, spacing: Option<SpacingName>, at: Option<Vec<Number>> },
 }
 
 #[derive(Clone, Debug, Deserialize)]

@@ -46,8 +46,12 @@ impl Cell {
         let subject = match scenario_kind(&text) {
             ScenarioKind::Conditioning => {
                 let method = path_method(request.method.as_deref())?;
-                let problem =
-                    ConditioningScenario::parse(&request.name, &text).and_then(|s| s.problem()).map_err(pointed)?;
+                let scenario = ConditioningScenario::parse(&request.name, &text).map_err(pointed)?;
+                let scenario = match &request.file {
+                    Some(file) => scenario.in_folder_of(file),
+                    None => scenario,
+                };
+                let problem = scenario.problem().map_err(pointed)?;
                 check_conditioner(&problem, method).map_err(pointed)?;
                 Subject::Conditioning { problem: Box::new(problem), method }
             }
