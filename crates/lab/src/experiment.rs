@@ -142,9 +142,10 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     #[allow(clippy::cast_precision_loss)]
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]> {
-        let path = &self.problem.path;
-        let at = |i: usize| path.start() + (path.end() - path.start()) * i as f64 / (points.max(2) - 1) as f64;
-        (0..points.max(2)).map(|i| path.at(at(i)).coordinates.fixed_rows::<3>(0).into_owned().into()).collect()
+        let (start, end) = (self.problem.path.start(), self.problem.path.end());
+        let at = |i: usize| start + (end - start) * i as f64 / (points.max(2) - 1) as f64;
+        let tool = |lambda: f64| self.problem.reference_pose(lambda).translation.vector.into();
+        (0..points.max(2)).map(|i| tool(at(i))).collect()
     }
 
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {

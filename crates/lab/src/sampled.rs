@@ -188,7 +188,7 @@ pub(crate) fn sample<const N: usize>(
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn shares<const N: usize>(problem: &Problem<N>, path: &JointPath<N>, intervals: usize) -> Vec<usize> {
     let time = |piece: &Piece<N>| match piece.kind() {
-        PieceKind::Follow { q, .. } => {
+        PieceKind::Follow { q, .. } | PieceKind::Prescribed { q, .. } => {
             q.windows(2).map(|w| problem.speed_limits.ratio(&(w[1] - w[0]).into())).sum::<f64>()
         }
         PieceKind::SelfMotion { from, to, .. } => problem.speed_limits.ratio(&(to - from).into()),

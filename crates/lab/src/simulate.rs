@@ -1,7 +1,6 @@
 use crate::controller::Demand;
 use crate::error::LabError;
 use crate::law::{Decision, Law, Method};
-use crate::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
@@ -40,6 +39,8 @@ struct Run<'a, const N: usize> {
     euler: EulerAngles,
     /// The sample before: demand and factor, for the change of the desired speed.
     before: Option<(Demand<N>, f64, [f64; N])>,
+    /// Distance from the path's end at the sample before, while the robot settles there.
+    settling: Option<f64>,
     trace: Trace,
 }
 
@@ -59,6 +60,7 @@ impl<'a, const N: usize> Run<'a, N> {
             q: problem.start,
             euler: problem.start_euler,
             before: None,
+            settling: None,
             trace: Trace {
                 method,
                 joints: N,
@@ -125,7 +127,7 @@ impl<'a, const N: usize> Run<'a, N> {
     fn settle(&mut self) -> bool {
         let t = self.t();
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
-        let distance = arrival_distance(&demand);
+        let distance = demand.distance;
         let desired: [f64; N] = demand.feedback.into();
         let limits = &self.problem.speed_limits;
         let saturation =
@@ -134,7 +136,6 @@ impl<'a, const N: usize> Run<'a, N> {
         if self.trace.method == Method::Ideal {
             joint_speed = desired;
         }
-        let last = self.trace.samples.last().copied();
         self.trace.samples.push(Sample {
             t,
             lambda: self.lambda,
@@ -151,25 +152,24 @@ impl<'a, const N: usize> Run<'a, N> {
             chatter: None,
         });
         if distance <= 1.0 {
-            self.trace.arrival_s = Some(self.arrival_time(t, distance, last.as_ref()));
+            self.trace.arrival_s = Some(self.arrival_time(t, distance));
             return true;
         }
+        self.settling = Some(distance);
         self.q += JointVector::from(joint_speed) * self.period;
         self.euler = demand.euler;
         false
     }
 
     /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
-    fn arrival_time(&self, t: f64, distance: f64, last: Option<&Sample>) -> f64 {
-        let finish = self.trace.finish_s.unwrap_or(t);
-        match last {
+    fn arrival_time(&self, t: f64, distance: f64) -> f64 {
+        match self.settling {
             // The sample before stood outside, with the reference already at its end.
-            Some(last) if last.path_rate == 0.0 => {
-                let before = error_distance(&last.error);
+            Some(before) => {
                 let fraction = if before > distance { (before - 1.0) / (before - distance) } else { 1.0 };
-                last.t + (t - last.t) * fraction.clamp(0.0, 1.0)
+                t - self.period + self.period * fraction.clamp(0.0, 1.0)
             }
-            _ => finish,
+            None => self.trace.finish_s.unwrap_or(t),
         }
     }
 
@@ -224,16 +224,6 @@ impl<'a, const N: usize> Run<'a, N> {
         }
         chatter
     }
-}
-
-/// Distance of the tool from the reference in units of the arrival tolerances.
-fn arrival_distance<const N: usize>(demand: &Demand<N>) -> f64 {
-    error_distance(&demand.error.into())
-}
-
-fn error_distance(error: &[f64; 6]) -> f64 {
-    let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
-    (norm(&error[..3]) / ARRIVAL_POSITION).max(norm(&error[3..]) / ARRIVAL_ORIENTATION)
 }
 
 fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {

@@ -33,7 +33,7 @@ pub(crate) struct RobotTable {
     pub(crate) tip: Option<String>,
     #[serde(default)]
     pub(crate) task: TaskName,
-    pub(crate) inverse: InverseTable,
+    pub(crate) inverse: Option<InverseTable>,
 }
 
 /// Built-in arms, named as on the command line.
@@ -121,7 +121,8 @@ pub(crate) struct PathTable {
     #[serde(default)]
     pub(crate) start: Number,
     pub(crate) end: Number,
-    pub(crate) position: PositionTable,
+    pub(crate) position: Option<PositionTable>,
+    pub(crate) joints: Option<JointsTable>,
     pub(crate) orientation: Option<OrientationTable>,
 }
 
@@ -131,6 +132,13 @@ pub(crate) enum PositionTable {
     Helix { start: [Number; 3], radius: Number, climb: Number },
     Line { from: [Number; 3], to: [Number; 3] },
     Formula { x: String, y: String, z: String },
+}
+
+/// A path of the joints.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum JointsTable {
+    Line { from: Vec<Number>, to: Vec<Number> },
 }
 
 #[derive(Clone, Debug, Deserialize)]
