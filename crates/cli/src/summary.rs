@@ -1,4 +1,5 @@
 use crate::verdict::Verdict;
+use crate::windows::WindowEntry;
 use serde::Serialize;
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_lab::{MethodSummary, Trace};
@@ -18,6 +19,8 @@ pub(crate) struct Summary {
     pub(crate) optimum_speed_only: Option<OptimumEntry>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
+    /// The look-ahead with windows of several lengths; empty without acceleration limits.
+    pub(crate) look_ahead: Vec<WindowEntry>,
     /// The verdict.
     pub(crate) verdict: Verdict,
 }
@@ -35,6 +38,8 @@ pub(crate) struct MethodEntry {
     pub(crate) ratio_range: Option<[f64; 2]>,
     /// From the start of motion to the reference's end, over the optimum's duration. Below 1 the robot trails.
     pub(crate) reference_ratio: Option<f64>,
+    /// Largest use of a joint-acceleration limit while the reference moves; null without such limits.
+    pub(crate) acceleration_ratio: Option<f64>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,
 }
@@ -65,7 +70,7 @@ pub(crate) struct OptimumEntry {
 }
 
 impl MethodEntry {
-    pub(crate) fn new(trace: &Trace, optimum: &OptimumEntry) -> Self {
+    pub(crate) fn new(trace: &Trace, optimum: &OptimumEntry, acceleration: Option<&[f64]>) -> Self {
         let summary = MethodSummary::new(trace);
         let travel_s = summary.travel_s();
         let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
@@ -74,6 +79,10 @@ impl MethodEntry {
             ratio: travel_s.map(|t| t / optimum.duration_s),
             ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
             reference_ratio: reference.map(|t| t / optimum.duration_s),
+            acceleration_ratio: acceleration.map(|limits| {
+                let uses = summary.peak_acceleration.iter().zip(limits).map(|(peak, limit)| peak / limit);
+                uses.fold(0.0, f64::max)
+            }),
             knows: summary.method.knows(),
             summary,
         }

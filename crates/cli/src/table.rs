@@ -22,7 +22,8 @@ pub(crate) fn render(summary: &Summary) -> String {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    format!("{}\n{table}\n\n{}\n{}\n", heading(summary), optimum(summary), summary.verdict.sentence)
+    let windows = windows(summary);
+    format!("{}\n{table}\n\n{}{windows}\n{}\n", heading(summary), optimum(summary), summary.verdict.sentence)
 }
 
 fn heading(summary: &Summary) -> String {
@@ -65,6 +66,30 @@ pub(crate) fn short(value: f64) -> String {
     } else {
         format!("{value:.3e}")
     }
+}
+
+/// What acceleration limits cost and looking ahead buys; empty without such limits.
+fn windows(summary: &Summary) -> String {
+    let mut text = String::new();
+    for entry in &summary.methods {
+        if let (Some(off), Some(used)) = (entry.summary.samples_off_path, entry.acceleration_ratio) {
+            text += &format!(
+                "{}: {off} samples off the path, largest use of an acceleration limit {used:.4}, up to {} mm from the path's end\n",
+                entry.summary.method,
+                short(1e3 * entry.summary.peak_end_error_m)
+            );
+        }
+    }
+    for w in &summary.look_ahead {
+        let ratio = w.ratio.map_or("never arrives".into(), |r| format!("T / T* {r:.4}"));
+        text += &format!(
+            "look-ahead over {:>3} % of the path: {ratio}, path error {} mm, {} samples off the path\n",
+            100.0 * w.share,
+            short(1e3 * w.peak_path_error_m),
+            w.samples_off_path
+        );
+    }
+    text
 }
 
 fn optimum(summary: &Summary) -> String {

@@ -5,7 +5,7 @@ use slideway_lab::{Method, Trace};
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Verdict {
-    /// The method judged: the published form.
+    /// The method judged: the published form, and with acceleration limits the look-ahead, which keeps them as the optimum does.
     pub(crate) method: Method,
     /// From the start of motion to the robot's arrival, over the optimum.
     pub(crate) ratio: Option<f64>,
@@ -21,20 +21,15 @@ pub(crate) struct Verdict {
 const ACCELERATION_SLACK: f64 = 0.01;
 
 impl Verdict {
-    pub(crate) fn new(
-        methods: &[MethodEntry],
-        traces: &[Trace],
-        optimum: &OptimumEntry,
-        acceleration: Option<&[f64]>,
-        tolerance: f64,
-    ) -> Self {
-        let method = Method::SlidingMode;
-        let entry = methods.iter().find(|m| m.summary.method == method);
+    pub(crate) fn new(methods: &[MethodEntry], traces: &[Trace], optimum: &OptimumEntry, tolerance: f64) -> Self {
+        let find = |method| methods.iter().find(|m| m.summary.method == method);
+        let look_ahead = find(Method::AccelerationLookAhead);
+        let method = if look_ahead.is_some() { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let entry = find(method);
         let trace = traces.iter().find(|t| t.method == method);
         let ratio = entry.and_then(|e| e.ratio);
-        let reason = entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| {
-            obstacle(entry, trace, optimum, acceleration)
-        });
+        let reason =
+            entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| obstacle(entry, trace, optimum));
         let near = ratio.is_some_and(|r| (r - 1.0).abs() <= tolerance);
         let holds = reason.is_none() && near;
         let sentence = match (reason, entry, ratio) {
@@ -50,12 +45,7 @@ impl Verdict {
 }
 
 /// What keeps the two times from being compared at all.
-fn obstacle(
-    entry: &MethodEntry,
-    trace: Option<&Trace>,
-    optimum: &OptimumEntry,
-    acceleration: Option<&[f64]>,
-) -> Option<String> {
+fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) -> Option<String> {
     if !optimum.certified {
         return Some(format!("the optimum is not certified, its bounds are {:.1e} apart", optimum.gap));
     }
@@ -69,17 +59,19 @@ fn obstacle(
     if entry.travel_s.is_none() {
         return Some("the robot never came within 0.1 mm and 1 mrad of the path's end".into());
     }
-    let excess = acceleration?
-        .iter()
-        .zip(&entry.summary.peak_acceleration)
-        .map(|(limit, peak)| peak / limit)
-        .fold(0.0, f64::max);
-    (excess > 1.0 + ACCELERATION_SLACK).then(|| {
+    let used = entry.acceleration_ratio?;
+    (used > 1.0 + ACCELERATION_SLACK).then(|| {
         format!(
-            "the optimum keeps the acceleration limits and the sliding mode, which does not know them, exceeds them \
-             {excess:.1} times; its time is not comparable (see the optimum under speed limits alone)"
+            "the optimum keeps the acceleration limits and the {} exceeds them {used:.1} times; its time is not comparable (see the \
+             optimum under speed limits alone)",
+            subject(entry.summary.method)
         )
     })
+}
+
+/// The judged method in words.
+fn subject(method: Method) -> &'static str {
+    if method == Method::AccelerationLookAhead { "look-ahead" } else { "sliding mode" }
 }
 
 /// Two comparable times.
@@ -97,10 +89,12 @@ impl Comparison<'_> {
         let Self { entry, ratio, optimum, .. } = self;
         let travel = entry.travel_s.unwrap_or(f64::NAN);
         let difference = 100.0 * (ratio - 1.0);
+        let name = subject(entry.summary.method);
+        let knows = if entry.summary.samples_off_path.is_some() { entry.knows } else { "nothing" };
         let mut text = if self.holds {
-            format!("Yes: the sliding mode, knowing nothing in advance, needs {travel:.4} s")
+            format!("Yes: the {name}, knowing {knows} in advance, needs {travel:.4} s")
         } else {
-            format!("No: the sliding mode needs {travel:.4} s")
+            format!("No: the {name} needs {travel:.4} s")
         };
         let apart = match difference {
             d if d >= 100.0 => format!("{ratio:.1} times as long"),

@@ -10,6 +10,7 @@
 //! # Ok::<(), slideway_lab::LabError>(())
 //! ```
 
+mod acceleration;
 pub mod conditioning;
 mod controller;
 mod error;
@@ -21,6 +22,7 @@ mod law;
 mod limits;
 mod metrics;
 mod path;
+mod path_window;
 mod placement;
 mod problem;
 mod reference;
@@ -42,7 +44,7 @@ pub use law::Method;
 pub use limits::{EndRate, LimitKind, LinearLimit, SpeedLimit};
 pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use path::{CartesianPath, EulerPoint, PathPoint};
-pub use problem::{ControlSettings, FixedSpeed, Integration, Problem};
+pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Problem};
 pub use reference::{Reference, ToolReference};
 pub use robot::MAX_JOINTS;
 pub use sampled::{PathSample, SampledPath, SampledPiece};

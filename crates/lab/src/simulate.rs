@@ -1,6 +1,6 @@
 use crate::controller::Demand;
 use crate::error::LabError;
-use crate::law::{Decision, Law, Method};
+use crate::law::{Ahead, Decision, Law, Method};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
@@ -89,7 +89,7 @@ impl<'a, const N: usize> Run<'a, N> {
         let most = remaining / self.period;
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
         let law_before = self.law.clone();
-        let decision = self.law.step(self.problem, &demand, most);
+        let decision = self.law.step(self.problem, &demand, Ahead { lambda: self.lambda, most });
         self.record(t, &demand, &decision);
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
@@ -114,7 +114,7 @@ impl<'a, const N: usize> Run<'a, N> {
         let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
             let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
             let demand = self.problem.demand(&q, &self.euler, lambda);
-            law.clone().step(self.problem, &demand, rate).command.joint_speed.into()
+            law.clone().step(self.problem, &demand, Ahead { lambda, most: rate }).command.joint_speed.into()
         };
         let k1 = JointVector::from(first.command.joint_speed);
         let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
@@ -128,6 +128,9 @@ impl<'a, const N: usize> Run<'a, N> {
         let t = self.t();
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
         let distance = demand.distance;
+        if matches!(self.law, Law::Acceleration(_)) {
+            return self.settle_under_acceleration_limits(t, &demand);
+        }
         let desired: [f64; N] = demand.feedback.into();
         let limits = &self.problem.speed_limits;
         let saturation =
@@ -161,6 +164,23 @@ impl<'a, const N: usize> Run<'a, N> {
         false
     }
 
+    /// The same under acceleration limits, where to be there means to be able to stay: the joints can stand with the next sample.
+    fn settle_under_acceleration_limits(&mut self, t: f64, demand: &Demand<N>) -> bool {
+        let Law::Acceleration(law) = &mut self.law else { return true };
+        let could_stand = law.can_stand();
+        let decision = law.settle(self.problem, demand);
+        self.record(t, demand, &decision);
+        if demand.distance <= 1.0 && could_stand {
+            let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);
+            self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, demand.distance) });
+            return true;
+        }
+        self.settling = Some(demand.distance);
+        self.q += JointVector::from(decision.command.joint_speed) * self.period;
+        self.euler = demand.euler;
+        false
+    }
+
     /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
     fn arrival_time(&self, t: f64, distance: f64) -> f64 {
         match self.settling {
@@ -176,7 +196,7 @@ impl<'a, const N: usize> Run<'a, N> {
     fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>) {
         let command = &decision.command;
         let shortened = decision.advance_rate < command.path_rate;
-        let chatter = match (&self.before, self.trace.method.is_regulated() && !shortened) {
+        let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
             (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
             _ => None,
         };
