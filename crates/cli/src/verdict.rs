@@ -17,8 +17,8 @@ pub(crate) struct Verdict {
     pub(crate) sentence: String,
 }
 
-/// By how much an acceleration measured from whole samples may exceed its limit before the times count as not comparable.
-const ACCELERATION_SLACK: f64 = 0.01;
+/// By how much a limit, measured from whole samples, may be exceeded before the times count as not comparable.
+const LIMIT_SLACK: f64 = 0.01;
 
 impl Verdict {
     pub(crate) fn new(methods: &[MethodEntry], traces: &[Trace], optimum: &OptimumEntry, tolerance: f64) -> Self {
@@ -59,12 +59,14 @@ fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) 
     if entry.travel_s.is_none() {
         return Some("the robot never came within 0.1 mm and 1 mrad of the path's end".into());
     }
-    let used = entry.acceleration_ratio?;
-    (used > 1.0 + ACCELERATION_SLACK).then(|| {
+    let worst = entry.limit_use.iter().max_by(|a, b| a.share.total_cmp(&b.share))?;
+    (!(worst.share <= 1.0 + LIMIT_SLACK)).then(|| {
         format!(
-            "the optimum keeps the acceleration limits and the {} exceeds them {used:.1} times; its time is not comparable (see the \
-             optimum under speed limits alone)",
-            subject(entry.summary.method)
+            "the optimum keeps the limits on {kind} and the {name}, which does not know them, exceeds them \
+             {:.1} times; its time is not comparable (see the optimum under speed limits alone)",
+            worst.share,
+            kind = worst.kind,
+            name = subject(entry.summary.method)
         )
     })
 }

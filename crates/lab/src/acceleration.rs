@@ -1,6 +1,7 @@
 use crate::controller::Demand;
 use crate::error::{Fault, LabError};
-use crate::law::{Ahead, Decision};
+use crate::law::{Decision, Situation};
+use crate::limits::EndRate;
 use crate::path_window::PathWindow;
 use crate::problem::Problem;
 use slideway_conditioner::acceleration::{
@@ -30,10 +31,10 @@ pub(crate) struct AccelerationLaw<const N: usize> {
 
 impl<const N: usize> AccelerationLaw<N> {
     pub(crate) fn new(problem: &Problem<N>, sight: Sight) -> Result<Self, LabError> {
-        let missing = Fault::Missing("the acceleration-limited methods need joint-acceleration limits, rad/s^2");
-        let limits = problem.acceleration_limits.ok_or_else(|| LabError::value("limits.acceleration", missing))?;
-        let limits =
-            AccelerationLimits::symmetric(limits).map_err(|error| LabError::value("limits.acceleration", error))?;
+        let missing = Fault::Missing(
+            "the acceleration-limited methods need joint-acceleration limits and speed limits that do not vary along the path, and rest at its ends",
+        );
+        let limits = online_limits(problem).ok_or_else(|| LabError::value("limits.acceleration", missing))?;
         let control = &problem.control;
         let regulator = AccelerationRegulator::new(AccelerationSettings {
             speed_limits: problem.speed_limits,
@@ -52,17 +53,18 @@ impl<const N: usize> AccelerationLaw<N> {
         Ok(Self { regulator, state: AccelerationState::at_rest(), limits, period, ahead })
     }
 
-    pub(crate) fn step(&mut self, problem: &Problem<N>, demand: &Demand<N>, ahead: Ahead) -> Decision<N> {
+    pub(crate) fn step(&mut self, problem: &Problem<N>, demand: &Demand<N>, here: &Situation<N>) -> Decision<N> {
         let split = AffineSpeed {
             feedback: demand.feedback.into(),
             feedforward: (demand.path_speed * self.regulator.target_rate()).into(),
         };
         let seen = match &mut self.ahead {
-            Some((plan, window)) => plan.greatest_rate(&window.preview(problem, ahead.lambda)),
+            Some((plan, window)) => plan.greatest_rate(&window.preview(problem, here.lambda)),
             None => f64::INFINITY,
         };
-        let command = self.regulator.step_below(&mut self.state, &split, seen.min(ahead.most));
-        self.decision(problem, &command, ahead.most)
+        let ceiling = seen.min(here.tool_rate).min(here.to_end);
+        let command = self.regulator.step_below(&mut self.state, &split, ceiling);
+        self.decision(problem, &command, here.to_end)
     }
 
     /// One sample with the reference at its end.
@@ -94,6 +96,16 @@ impl<const N: usize> AccelerationLaw<N> {
             advance_rate: command.path_rate.min(most),
         }
     }
+}
+
+/// The limits under which the acceleration-limited methods run: constant ones, from rest to rest. `None` for any other problem.
+pub(crate) fn online_limits<const N: usize>(problem: &Problem<N>) -> Option<AccelerationLimits<N>> {
+    let rests = |rate: EndRate| matches!(rate, EndRate::ByLimits | EndRate::Given(0.0));
+    if problem.speed_along.is_some() || !rests(problem.start_rate) || !rests(problem.end_rate) {
+        return None;
+    }
+    let range = problem.acceleration_limits.as_ref()?.constant()?;
+    AccelerationLimits::new(range.lower, range.upper).ok()
 }
 
 fn look_ahead<const N: usize>(problem: &Problem<N>, limits: AccelerationLimits<N>) -> Result<LookAhead<N>, LabError> {

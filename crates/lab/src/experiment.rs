@@ -1,6 +1,8 @@
+use crate::acceleration::online_limits;
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
+use crate::limit_use::LimitUse;
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
@@ -45,6 +47,7 @@ trait AnyJoints {
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
 }
 
 impl Experiment {
@@ -82,7 +85,8 @@ impl Experiment {
         }
     }
 
-    /// The methods that can be run: those under acceleration limits only where the scenario gives them.
+    /// The methods that can be run: those under acceleration limits only where the scenario gives them, neither they nor the
+    /// speed limits vary along the path, and the path begins and ends at rest.
     #[must_use]
     pub fn methods(&self) -> &'static [Method] {
         if self.any().limits_acceleration() { &Method::ALL } else { &Method::UNDER_SPEED_LIMITS }
@@ -138,6 +142,12 @@ impl Experiment {
     pub fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         self.any().tool_trace(trace)
     }
+
+    /// What a run used of each kind of limit that the scenario gives besides constant joint-speed limits.
+    #[must_use]
+    pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.any().limit_use(trace)
+    }
 }
 
 impl<const N: usize> Traced<N> {
@@ -154,7 +164,7 @@ impl<const N: usize> AnyJoints for Traced<N> {
     }
 
     fn limits_acceleration(&self) -> bool {
-        self.problem.acceleration_limits.is_some()
+        online_limits(&self.problem).is_some()
     }
 
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError> {
@@ -189,5 +199,9 @@ impl<const N: usize> AnyJoints for Traced<N> {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         let tool = |q: &[f64]| self.problem.arm.forward(&slideway_robot::JointVector::from_fn(|i, _| q[i]));
         trace.samples.iter().map(|s| tool(&s.q).translation.vector.into()).collect()
+    }
+
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.problem.limit_use(trace)
     }
 }

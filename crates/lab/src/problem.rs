@@ -1,14 +1,16 @@
+use crate::dynamic_limits::{ToolLimits, TorqueLimits};
 use crate::error::{Fault, LabError};
+use crate::joint_bounds::JointBounds;
 use crate::joint_curve::JointCurve;
+use crate::limit_reader::LimitReader;
+use crate::limits::EndRate;
 use crate::path::CartesianPath;
 use crate::placement::Placement;
 use crate::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
 use crate::scenario::Scenario;
-use crate::scenario::number::{Number, PerJoint};
-use crate::scenario::schema::{
-    ControlTable, IntegrationName, InverseTable, LimitsTable, LookAheadTable, ScenarioFile, TaskName,
-};
+use crate::scenario::number::Number;
+use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, LookAheadTable, ScenarioFile, TaskName};
 use nalgebra::Translation3;
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
@@ -22,10 +24,20 @@ pub struct Problem<const N: usize> {
     pub arm: SerialArm<N>,
     /// What the robot is to follow.
     pub path: Reference<N>,
-    /// Joint-speed limits, rad/s (m/s for joints that slide).
+    /// Joint-speed limits, rad/s (m/s for joints that slide); where they vary along the path, the widest they get.
     pub speed_limits: SpeedLimits<N>,
-    /// Joint-acceleration limits, rad/s², symmetric: for the optimum and the acceleration-limited methods.
-    pub acceleration_limits: Option<[f64; N]>,
+    /// Joint-speed limits along the path, where they vary.
+    pub speed_along: Option<JointBounds<N>>,
+    /// Joint-acceleration limits, rad/s² (m/s²).
+    pub acceleration_limits: Option<JointBounds<N>>,
+    /// Torque limits of the drives, with the robot's dynamics.
+    pub torque_limits: Option<TorqueLimits<N>>,
+    /// Limits of the tool.
+    pub tool_limits: ToolLimits,
+    /// Path rate at the path's first point.
+    pub start_rate: EndRate,
+    /// Path rate at its last point.
+    pub end_rate: EndRate,
     /// Controller and regulator.
     pub control: ControlSettings,
     /// The fixed-speed methods.
@@ -104,11 +116,19 @@ impl<const N: usize> Problem<N> {
         scenario.check_options()?;
         let file = &scenario.file;
         let arm = robot.arm().map_err(|error| LabError::value(robot_key(&file.robot), error))?;
+        let path: Reference<N> = reference(file)?;
+        let limits = LimitReader { table: &file.limits, robot, path: path.start()..path.end() };
+        let speed = limits.speed::<N>()?;
         let mut problem = Self {
             arm,
-            path: reference(file)?,
-            speed_limits: speed_limits(&file.limits, robot)?,
-            acceleration_limits: acceleration_limits(&file.limits)?,
+            path,
+            speed_limits: limits.widest_speed(&speed)?,
+            speed_along: speed.vary().then_some(speed),
+            acceleration_limits: limits.acceleration()?,
+            torque_limits: limits.torque()?,
+            tool_limits: limits.tool()?,
+            start_rate: limits.end_rate("limits.start_rate", file.limits.start_rate)?,
+            end_rate: limits.end_rate("limits.end_rate", file.limits.end_rate)?,
             control: control(&file.control)?,
             fixed_speed: fixed_speed(scenario)?,
             start: JointVector::zeros(),
@@ -188,55 +208,7 @@ pub(crate) fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<Jo
     Ok(JointVector::from_fn(|i, _| numbers[i].0))
 }
 
-fn per_joint<const N: usize>(key: &str, values: &PerJoint) -> Result<[f64; N], LabError> {
-    match values {
-        PerJoint::All(value) => Ok([*value; N]),
-        PerJoint::Each(values) => values
-            .as_slice()
-            .try_into()
-            .map_err(|_| LabError::value(key, Fault::WrongLength { found: values.len(), expected: N })),
-    }
-}
-
-/// The key of one element of a per-joint value.
-fn element(key: &str, values: &PerJoint, joint: usize) -> String {
-    if matches!(values, PerJoint::All(_)) { key.to_owned() } else { format!("{key}.{joint}") }
-}
-
-/// The scenario's speed limits, else those of the robot.
-fn speed_limits<const N: usize>(table: &LimitsTable, robot: &RobotDescription) -> Result<SpeedLimits<N>, LabError> {
-    let robots = || robot.velocity_limits().map(PerJoint::Each);
-    let missing = Fault::Missing("the robot has no speed limits of its own for every joint");
-    let speed = table.speed.clone().or_else(robots).ok_or_else(|| LabError::value("limits.speed", missing))?;
-    let upper = per_joint("limits.speed", &speed)?;
-    let lower = match &table.speed_lower {
-        Some(values) => per_joint("limits.speed_lower", values)?,
-        None => upper.map(|u| -u),
-    };
-    SpeedLimits::new(lower, upper).map_err(|error| match (error, &table.speed_lower) {
-        (ParameterError::LowerLimit { joint, value }, Some(values)) => {
-            LabError::value(element("limits.speed_lower", values, joint), Fault::NotNegative(value))
-        }
-        (ParameterError::LowerLimit { joint, value }, None) => {
-            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(-value))
-        }
-        (ParameterError::UpperLimit { joint, value }, _) => {
-            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(value))
-        }
-        (error, _) => LabError::value("limits", error),
-    })
-}
-
-fn acceleration_limits<const N: usize>(table: &LimitsTable) -> Result<Option<[f64; N]>, LabError> {
-    let Some(values) = &table.acceleration else { return Ok(None) };
-    let limits: [f64; N] = per_joint("limits.acceleration", values)?;
-    if let Some(joint) = limits.iter().position(|&l| !(l > 0.0)) {
-        return Err(LabError::value(element("limits.acceleration", values, joint), Fault::NotPositive(limits[joint])));
-    }
-    Ok(Some(limits))
-}
-
-fn positive(key: &str, number: Number) -> Result<f64, LabError> {
+pub(crate) fn positive(key: &str, number: Number) -> Result<f64, LabError> {
     if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
 }
 

@@ -1,10 +1,10 @@
 use crate::controller::Demand;
 use crate::error::LabError;
-use crate::law::{Ahead, Decision, Law, Method};
+use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
-use slideway_conditioner::{Saturation, bounds};
+use slideway_conditioner::{Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -20,8 +20,8 @@ pub(crate) fn simulate<const N: usize>(
     let mut run = Run::new(problem, method, fixed_rate)?;
     while run.t() < horizon && run.trace.samples.len() < MAX_SAMPLES && run.is_finite() {
         if run.trace.finish_s.is_none() {
-            run.follow();
-        } else if run.settle() {
+            run.follow()?;
+        } else if run.settle()? {
             break;
         }
     }
@@ -83,14 +83,19 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 
     /// One sample of following the path.
-    fn follow(&mut self) {
+    fn follow(&mut self) -> Result<(), LabError> {
         let t = self.t();
         let remaining = self.problem.path.end() - self.lambda;
-        let most = remaining / self.period;
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
+        let here = Situation {
+            lambda: self.lambda,
+            limits: self.problem.speed_limits_at(self.lambda)?,
+            tool_rate: self.problem.tool_rate_limit(self.lambda),
+            to_end: remaining / self.period,
+        };
         let law_before = self.law.clone();
-        let decision = self.law.step(self.problem, &demand, Ahead { lambda: self.lambda, most });
-        self.record(t, &demand, &decision);
+        let decision = self.law.step(self.problem, &demand, &here);
+        self.record(t, &demand, &decision, &here.limits);
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
         let span = self.problem.path.end() - self.problem.path.start();
@@ -102,19 +107,21 @@ impl<'a, const N: usize> Run<'a, N> {
         }
         self.q = match self.integration {
             Integration::Euler => self.q + JointVector::from(decision.command.joint_speed) * self.period,
-            Integration::Rk4 => self.rk4(&law_before, &decision),
+            Integration::Rk4 => self.rk4(&law_before, &decision, &here),
         };
         self.euler = demand.euler;
+        Ok(())
     }
 
     /// One Runge-Kutta step of the joint positions with the reference moving at its own rate.
-    fn rk4(&self, law: &Law<N>, first: &Decision<N>) -> JointVector<N> {
+    fn rk4(&self, law: &Law<N>, first: &Decision<N>, here: &Situation<N>) -> JointVector<N> {
         let (h, rate) = (self.period, first.advance_rate);
         let begin = self.lambda - if self.trace.finish_s.is_some() { 0.0 } else { rate * h };
         let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
             let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
             let demand = self.problem.demand(&q, &self.euler, lambda);
-            law.clone().step(self.problem, &demand, Ahead { lambda, most: rate }).command.joint_speed.into()
+            let here = Situation { lambda, to_end: rate, ..*here };
+            law.clone().step(self.problem, &demand, &here).command.joint_speed.into()
         };
         let k1 = JointVector::from(first.command.joint_speed);
         let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
@@ -124,15 +131,15 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 
     /// One sample of the robot catching up with a reference at its end; whether it has arrived.
-    fn settle(&mut self) -> bool {
+    fn settle(&mut self) -> Result<bool, LabError> {
         let t = self.t();
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
         let distance = demand.distance;
         if matches!(self.law, Law::Acceleration(_)) {
-            return self.settle_under_acceleration_limits(t, &demand);
+            return Ok(self.settle_under_acceleration_limits(t, &demand));
         }
         let desired: [f64; N] = demand.feedback.into();
-        let limits = &self.problem.speed_limits;
+        let limits = self.problem.speed_limits_at(self.lambda)?;
         let saturation =
             if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
         let mut joint_speed = limits.saturate(&desired, saturation).joint_speed;
@@ -156,12 +163,12 @@ impl<'a, const N: usize> Run<'a, N> {
         });
         if distance <= 1.0 {
             self.trace.arrival_s = Some(self.arrival_time(t, distance));
-            return true;
+            return Ok(true);
         }
         self.settling = Some(distance);
         self.q += JointVector::from(joint_speed) * self.period;
         self.euler = demand.euler;
-        false
+        Ok(false)
     }
 
     /// The same under acceleration limits, where to be there means to be able to stay: the joints can stand with the next sample.
@@ -169,7 +176,7 @@ impl<'a, const N: usize> Run<'a, N> {
         let Law::Acceleration(law) = &mut self.law else { return true };
         let could_stand = law.can_stand();
         let decision = law.settle(self.problem, demand);
-        self.record(t, demand, &decision);
+        self.record(t, demand, &decision, &self.problem.speed_limits);
         if demand.distance <= 1.0 && could_stand {
             let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);
             self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, demand.distance) });
@@ -193,7 +200,7 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
-    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>) {
+    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
         let command = &decision.command;
         let shortened = decision.advance_rate < command.path_rate;
         let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
@@ -208,7 +215,7 @@ impl<'a, const N: usize> Run<'a, N> {
             switch: command.switch,
             direction_factor: command.direction_factor,
             limit_ratio: command.limit_ratio,
-            limiting_joint: self.problem.speed_limits.limiting_joint(&decision.desired),
+            limiting_joint: limits.limiting_joint(&decision.desired),
             error: demand.error.into(),
             q: pad(&self.q),
             desired: pad(&decision.desired.into()),

@@ -1,6 +1,6 @@
 //! The scenario file as it is written: plain tables, no meaning checked beyond shape.
 
-use super::number::{Number, PerJoint};
+use super::number::{Number, PerJointLimit};
 use serde::Deserialize;
 
 /// A whole scenario file.
@@ -159,9 +159,43 @@ pub(crate) struct KnotTable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LimitsTable {
-    pub(crate) speed: Option<PerJoint>,
-    pub(crate) speed_lower: Option<PerJoint>,
-    pub(crate) acceleration: Option<PerJoint>,
+    pub(crate) speed: Option<PerJointLimit>,
+    pub(crate) speed_lower: Option<PerJointLimit>,
+    pub(crate) acceleration: Option<PerJointLimit>,
+    pub(crate) acceleration_lower: Option<PerJointLimit>,
+    pub(crate) torque: Option<TorqueTable>,
+    pub(crate) torque_lower: Option<PerJointLimit>,
+    #[serde(default)]
+    pub(crate) drive_effects: Vec<DriveEffectName>,
+    pub(crate) tool_speed: Option<Number>,
+    pub(crate) tool_acceleration: Option<Number>,
+    pub(crate) start_rate: Option<Number>,
+    pub(crate) end_rate: Option<Number>,
+}
+
+/// Torque limits: the robot's own, or as given.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "\"robot\", a finite number, a formula of `lambda` in quotes, or a list with one per joint"
+)]
+pub(crate) enum TorqueTable {
+    Own(OwnName),
+    Given(PerJointLimit),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum OwnName {
+    Robot,
+}
+
+/// What a robot's drives add to its rigid body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum DriveEffectName {
+    RotorInertia,
+    Friction,
 }
 
 #[derive(Clone, Debug, Deserialize)]
