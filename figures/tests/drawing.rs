@@ -94,7 +94,7 @@ fn axis_labels(name: &str) -> &'static [&'static str] {
     match name {
         "path-rate" => &["path parameter λ", "dλ/dt (1/s)"],
         "path-rate-time" => &["time (s)", "dλ/dt (1/s)"],
-        "joint-speeds" => &["time (s)", "rad/s", "joint 1", "joint 6"],
+        "joint-speeds" => &["time (s)", "rad/s", "joint 1", "joint 2"],
         "errors" => &["time (s)", "mm", "rad", "error in x", "error in γ"],
         "tool-path" => &["x (m)", "y (m)", "z (m)"],
         "direction-factor" => &["time (s)", "fdir"],
