@@ -62,11 +62,12 @@ impl<const N: usize> Stretch<'_, N> {
 /// The rate `w` of a sample is held for `Ts`. Consecutive rates and the points `x_k = λ_k + Ts w_k / 2` are exact samples of a motion of
 /// constant `λ̈`, for `x_{k+1} - x_k = Ts (w_k + w_{k+1}) / 2`; so the range is evaluated there: `w² <= b(λ + Ts w / 2)`.
 ///
-/// Guaranteed (claim `look-ahead-tail`): if the path is piecewise as previewed (`v` linear between the nodes) and one sample's rate
-/// keeps the bound, then the next sample has a rate that keeps it, which changes the joint speeds `v(x) w` by no more than the
+/// Guaranteed (claim `look-ahead-tail`): if the path is piecewise as previewed (`v` linear between the nodes), one sample's rate keeps
+/// the bound and the next sample lies between the same two nodes, then that one has a rate that keeps it, which changes the joint speeds `v(x) w` by no more than the
 /// acceleration limits times `(1 - margin) Ts`. Slower rates keep it too, and a longer window never lowers it.
 ///
-/// Not guaranteed: two terms of the discretisation, for which the margin is there. The joints are commanded `v(λ_k) w_k`, not
+/// Not guaranteed: three terms of the discretisation, for which the margin is there. Where the plan's `λ̈` jumps within a sample, at a
+/// node, the place is off the plan by up to `Ts² |Δλ̈| / 8`. The joints are commanded `v(λ_k) w_k`, not
 /// `v(x_k) w_k`, which costs `|Δ(q'' b)| / 2` per sample, and between the nodes `q''` differs from its mean by up to
 /// `spacing · |q'''| / 2`, which costs that times `b`. Nor is a tracking error part of the plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
