@@ -1,5 +1,5 @@
 //! Comparisons in pictures: one function draws every figure of a study of speed laws or of path conditioning, as SVG and as
-//! PNG, from the same drawing code and with a bundled font; two more draw what sweeps give.
+//! PNG, from the same drawing code and with a bundled font; more draw what sweeps and windows give.
 //!
 //! Figures are [`WIDTH`](Rendered::width) 1000 px wide, meant for a column of 8.5 cm. The SVG uses `#FFFFFF` for the
 //! background, `#1A1A1A` for text, axes and limits and `#D9D9D9` for the grid, so that a page can restyle them.
@@ -17,6 +17,7 @@ mod errors;
 mod escape_times;
 mod facts;
 mod joint_speeds;
+mod look_ahead;
 mod multiples;
 mod panel;
 mod path_rate;
@@ -33,6 +34,7 @@ pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
 pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
 pub use error::FigureError;
 pub use escape_times::{EscapeStudy, EscapeVariant, draw_escape_times};
+pub use look_ahead::{LookAheadPoint, LookAheadStudy, draw_look_ahead};
 pub use render::Rendered;
 pub use study::{Optimum, SpeedStudy};
 

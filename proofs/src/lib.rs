@@ -14,6 +14,9 @@
 //! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
 //! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
 
+pub mod acceleration_box;
+pub mod acceleration_factor;
+pub mod acceleration_recovery;
 pub mod chattering_band;
 mod claim;
 pub mod command_within_limits;
@@ -22,6 +25,7 @@ pub mod drifting_band;
 pub mod factor_range;
 pub mod frozen_band;
 pub mod implicit_band;
+pub mod look_ahead_tail;
 pub mod nan_brakes;
 pub mod path_band;
 pub mod path_band_appendix;
@@ -53,4 +57,8 @@ pub const CLAIMS: &[Claim] = &[
     path_equivalence::CLAIM,
     path_implicit::CLAIM,
     path_reserve::CLAIM,
+    acceleration_box::CLAIM,
+    acceleration_factor::CLAIM,
+    acceleration_recovery::CLAIM,
+    look_ahead_tail::CLAIM,
 ];

@@ -5,6 +5,10 @@
 
 #![no_std]
 
+use slideway_conditioner::acceleration::{
+    AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, LookAhead, LookAheadSettings,
+    Preview, Recovery,
+};
 use slideway_conditioner::path::{
     Constraint, Margin, Motion, PathForm, PathSettings, PathState, PathStep, Reserve, SwitchingLaw, TrapSettings, Walk,
 };
@@ -61,6 +65,35 @@ pub extern "C" fn implicit_step(
     let command = regulator.step(&mut state, &AffineSpeed { feedback: *feedback, feedforward: *feedforward });
     *out = command.joint_speed;
     command.path_rate
+}
+
+/// A sample under acceleration limits, its ceiling from a window of the nodes' path speeds.
+#[unsafe(no_mangle)]
+pub extern "Rust" fn acceleration_step(
+    numbers: &[f64; 8],
+    desired: &AffineSpeed<6>,
+    nodes: &[[f64; 6]],
+    state: &mut AccelerationState<6>,
+) -> f64 {
+    let [speed, acceleration, sampling_period, bandwidth, target_rate, gain, offset, spacing] = *numbers;
+    let (Ok(speed_limits), Ok(acceleration_limits)) =
+        (SpeedLimits::symmetric([speed; 6]), AccelerationLimits::symmetric([acceleration; 6]))
+    else {
+        return f64::NAN;
+    };
+    let recovery = Recovery::Braking { gain };
+    let regulator = AccelerationRegulator::new(AccelerationSettings {
+        speed_limits,
+        acceleration_limits,
+        sampling_period,
+        bandwidth,
+        target_rate,
+        recovery,
+    });
+    let settings = LookAheadSettings { speed_limits, acceleration_limits, sampling_period, target_rate, margin: 0.05 };
+    let (Ok(regulator), Ok(look_ahead)) = (regulator, LookAhead::new(settings)) else { return f64::NAN };
+    let ceiling = look_ahead.greatest_rate(&Preview { offset, spacing, path_speeds: nodes });
+    regulator.step_below(state, desired, ceiling).path_rate
 }
 
 #[unsafe(no_mangle)]

@@ -4,11 +4,12 @@ use crate::compare_path::compare_conditioning;
 use crate::diagnostic::CliError;
 use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
 use crate::verdict::Verdict;
+use crate::windows::{WindowEntry, windows};
 use crate::{report, table};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_baselines::time_optimal::TimeOptimum;
-use slideway_figures::{Optimum, SpeedStudy, draw_speed_study};
-use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
+use slideway_lab::{Experiment, LabError, SampledPath, Scenario, Trace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -35,21 +36,16 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
 fn compare_speed(arguments: &CompareArguments, scenario: &Scenario, out: &Path) -> Result<Outcome, CliError> {
     let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
     let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
-    let progress = progress(Method::ALL.len() as u64 + 2);
-
-    progress.set_message("tracing the joint path");
     let experiment = Experiment::new(scenario).map_err(pointed)?;
+    let progress = progress(experiment.methods().len() as u64 + 2);
     let traces = run_methods(&experiment, &progress).map_err(pointed)?;
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
     let solved = Solved::new(&path, &finer, arguments.inter_sample)?;
-    let summary = summarise(
-        &Study { scenario, experiment: &experiment, path: &path, finer: &finer },
-        &traces,
-        &solved,
-        tolerance,
-    )?;
+    let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer };
+    let mut summary = summarise(&study, &traces, &solved, tolerance)?;
+    summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
@@ -68,7 +64,8 @@ pub(crate) fn progress(steps: u64) -> ProgressBar {
 }
 
 fn run_methods(experiment: &Experiment, progress: &ProgressBar) -> Result<Vec<Trace>, LabError> {
-    Method::ALL
+    experiment
+        .methods()
         .iter()
         .map(|&method| {
             progress.set_message(method.name());
@@ -110,6 +107,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         optimum_speed_only: speed_only,
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         position_excesses,
+        look_ahead: Vec::new(),
         verdict,
     })
 }
@@ -160,7 +158,11 @@ fn write(
         filter_step: experiment.control().filter_step(),
         bound: summary.limit_ratio_bound,
     };
-    let figures = draw_speed_study(&study, &figures_dir)?;
+    let mut figures = draw_speed_study(&study, &figures_dir)?;
+    let points: Vec<_> = summary.look_ahead.iter().filter_map(WindowEntry::point).collect();
+    if points.len() >= 2 {
+        figures.push(draw_look_ahead(&LookAheadStudy { title: scenario.name(), points: &points }, &figures_dir)?);
+    }
     create(out.join("report.html"), |file| file.write_all(report::render_speed(summary, scenario, &figures).as_bytes()))
 }
 

@@ -20,6 +20,7 @@ mod sweep_journal;
 mod sweep_table;
 mod table;
 mod verdict;
+mod windows;
 
 use clap::Parser;
 use std::process::ExitCode;

@@ -1,5 +1,6 @@
 use crate::summary::{MethodEntry, Summary, excess_in_words};
 use crate::table::short;
+use crate::windows::WindowEntry;
 use slideway_figures::Rendered;
 use slideway_lab::Scenario;
 
@@ -47,7 +48,7 @@ pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Re
         description: &summary.description,
         holds: summary.verdict.holds,
         verdict: &summary.verdict.sentence,
-        body: methods(&summary.methods) + &optimum(summary),
+        body: methods(&summary.methods) + &optimum(summary) + &windows(&summary.look_ahead),
         figures,
         scenario: scenario.text(),
     };
@@ -103,6 +104,27 @@ fn limit_use(summary: &Summary) -> String {
     } else {
         format!("<h2>Largest use of the other limits</h2>\n<p>As shares: 1 is the limit.</p>\n<dl>{items}</dl>\n")
     }
+}
+
+/// The look-ahead with windows of several lengths; nothing without acceleration limits.
+fn windows(entries: &[WindowEntry]) -> String {
+    if entries.is_empty() {
+        return String::new();
+    }
+    let row = |w: &WindowEntry| {
+        format!(
+            "<tr><td>{} %</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+            100.0 * w.share,
+            w.ratio.map_or("never arrives".into(), |r| format!("{r:.4}")),
+            short(1e3 * w.peak_path_error_m),
+            w.samples_off_path
+        )
+    };
+    let rows: String = entries.iter().map(row).collect();
+    format!(
+        "<h2>What looking ahead buys</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>window, share of the path</th>\
+         <th>T / T*</th><th>peak error [mm]</th><th>samples off the path</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
 }
 
 fn optimum(summary: &Summary) -> String {

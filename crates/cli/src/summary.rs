@@ -1,4 +1,5 @@
 use crate::verdict::Verdict;
+use crate::windows::WindowEntry;
 use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
@@ -22,6 +23,8 @@ pub(crate) struct Summary {
     pub(crate) limit_ratio_bound: Option<f64>,
     /// Joints that leave their position ranges along the path.
     pub(crate) position_excesses: Vec<PositionExcess>,
+    /// The look-ahead with windows of several lengths; empty without acceleration limits.
+    pub(crate) look_ahead: Vec<WindowEntry>,
     /// The verdict.
     pub(crate) verdict: Verdict,
 }

@@ -23,10 +23,11 @@ pub(crate) fn render(summary: &Summary) -> String {
         column.set_cell_alignment(CellAlignment::Right);
     }
     format!(
-        "{}\n{table}\n{}\n{}\n{}\n",
+        "{}\n{table}\n{}\n{}{}\n{}\n",
         heading(summary),
         limit_use(summary),
         optimum(summary),
+        windows(summary),
         summary.verdict.sentence
     )
 }
@@ -71,6 +72,30 @@ pub(crate) fn short(value: f64) -> String {
     } else {
         format!("{value:.3e}")
     }
+}
+
+/// What acceleration limits cost and looking ahead buys; empty without such limits.
+fn windows(summary: &Summary) -> String {
+    let mut text = String::new();
+    for entry in &summary.methods {
+        if let Some(off) = entry.summary.samples_off_path {
+            text += &format!(
+                "{}: {off} samples off the path, up to {} mm from the path's end\n",
+                entry.summary.method,
+                short(1e3 * entry.summary.peak_end_error_m)
+            );
+        }
+    }
+    for w in &summary.look_ahead {
+        let ratio = w.ratio.map_or("never arrives".into(), |r| format!("T / T* {r:.4}"));
+        text += &format!(
+            "look-ahead over {:>3} % of the path: {ratio}, path error {} mm, {} samples off the path\n",
+            100.0 * w.share,
+            short(1e3 * w.peak_path_error_m),
+            w.samples_off_path
+        );
+    }
+    text
 }
 
 /// What each method used of the limits besides constant joint-speed limits, one line a method.

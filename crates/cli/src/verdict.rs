@@ -5,7 +5,7 @@ use slideway_lab::{Method, PositionExcess, PositionSource, Trace};
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Verdict {
-    /// The method judged: the published form.
+    /// The method judged: the published form, and with acceleration limits the look-ahead, which keeps them as the optimum does.
     pub(crate) method: Method,
     /// From the start of motion to the robot's arrival, over the optimum.
     pub(crate) ratio: Option<f64>,
@@ -22,8 +22,10 @@ const LIMIT_SLACK: f64 = 0.01;
 
 impl Verdict {
     pub(crate) fn new(methods: &[MethodEntry], traces: &[Trace], optimum: &OptimumEntry, tolerance: f64) -> Self {
-        let method = Method::SlidingMode;
-        let entry = methods.iter().find(|m| m.summary.method == method);
+        let find = |method| methods.iter().find(|m| m.summary.method == method);
+        let look_ahead = find(Method::AccelerationLookAhead);
+        let method = if look_ahead.is_some() { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let entry = find(method);
         let trace = traces.iter().find(|t| t.method == method);
         let ratio = entry.and_then(|e| e.ratio);
         let reason =
@@ -68,12 +70,18 @@ fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) 
     let worst = entry.limit_use.iter().max_by(|a, b| a.share.total_cmp(&b.share))?;
     (!(worst.share <= 1.0 + LIMIT_SLACK)).then(|| {
         format!(
-            "the optimum keeps the limits on {kind} and the sliding mode, which does not know them, exceeds them \
+            "the optimum keeps the limits on {kind} and the {name}, which does not know them, exceeds them \
              {:.1} times; its time is not comparable (see the optimum under speed limits alone)",
             worst.share,
-            kind = worst.kind
+            kind = worst.kind,
+            name = subject(entry.summary.method)
         )
     })
+}
+
+/// The judged method in words.
+fn subject(method: Method) -> &'static str {
+    if method == Method::AccelerationLookAhead { "look-ahead" } else { "sliding mode" }
 }
 
 /// Two comparable times.
@@ -91,10 +99,12 @@ impl Comparison<'_> {
         let Self { entry, ratio, optimum, .. } = self;
         let travel = entry.travel_s.unwrap_or(f64::NAN);
         let difference = 100.0 * (ratio - 1.0);
+        let name = subject(entry.summary.method);
+        let knows = if entry.summary.samples_off_path.is_some() { entry.knows } else { "nothing" };
         let mut text = if self.holds {
-            format!("Yes: the sliding mode, knowing nothing in advance, needs {travel:.4} s")
+            format!("Yes: the {name}, knowing {knows} in advance, needs {travel:.4} s")
         } else {
-            format!("No: the sliding mode needs {travel:.4} s")
+            format!("No: the {name} needs {travel:.4} s")
         };
         let apart = match difference {
             d if d >= 100.0 => format!("{ratio:.1} times as long"),

@@ -23,6 +23,36 @@ pub enum ParameterError {
         /// The limit that was given.
         value: f64,
     },
+    /// An upper joint-acceleration limit is not a positive finite number.
+    UpperAcceleration {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// The limit that was given.
+        value: f64,
+    },
+    /// A lower joint-acceleration limit is not a negative finite number.
+    LowerAcceleration {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// The limit that was given.
+        value: f64,
+    },
+    /// A joint speed to start from lies outside its limits.
+    Speed {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// The speed that was given.
+        value: f64,
+    },
+    /// The gain of the position loop is not a positive finite number.
+    Gain(f64),
+    /// Gain times sampling period exceeds one half.
+    GainStep {
+        /// `gain * sampling_period`.
+        step: f64,
+    },
+    /// The look-ahead's margin is not in [0, 1).
+    AccelerationMargin(f64),
     /// The sampling period is not a positive finite number of seconds.
     SamplingPeriod(f64),
     /// The filter bandwidth is not a positive finite number of radians per second.
@@ -62,6 +92,25 @@ impl fmt::Display for ParameterError {
             }
             Self::LowerLimit { joint, value } => {
                 write!(f, "lower speed limit of joint {} is {value}; it must be negative and finite", joint + 1)
+            }
+            Self::UpperAcceleration { joint, value } => {
+                write!(f, "upper acceleration limit of joint {} is {value}; it must be positive and finite", joint + 1)
+            }
+            Self::LowerAcceleration { joint, value } => {
+                write!(f, "lower acceleration limit of joint {} is {value}; it must be negative and finite", joint + 1)
+            }
+            Self::Speed { joint, value } => {
+                write!(f, "initial speed of joint {} is {value}, outside its speed limits", joint + 1)
+            }
+            Self::Gain(value) => write!(f, "position gain is {value} 1/s; it must be positive and finite"),
+            Self::GainStep { step } => {
+                write!(
+                    f,
+                    "gain times sampling period is {step}, which must not exceed 0.5; lower the gain or sample faster"
+                )
+            }
+            Self::AccelerationMargin(value) => {
+                write!(f, "the share of the acceleration limits kept in reserve is {value}; it must lie in [0, 1)")
             }
             Self::SamplingPeriod(value) => {
                 write!(f, "sampling period is {value} s; it must be positive and finite")

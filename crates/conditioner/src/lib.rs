@@ -76,6 +76,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub mod acceleration;
 pub mod bounds;
 mod error;
 mod filter;
@@ -85,6 +86,7 @@ pub mod path;
 pub mod shapes;
 mod speed;
 
+pub use acceleration::{AccelerationLimits, AccelerationRegulator, LookAhead};
 pub use error::ParameterError;
 pub use filter::FirstOrderFilter;
 pub use implicit::{AffineSpeed, ImplicitSpeedRegulator};

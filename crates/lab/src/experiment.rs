@@ -1,9 +1,10 @@
+use crate::acceleration::online_limits;
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
 use crate::limit_use::LimitUse;
 use crate::position_limits::PositionExcess;
-use crate::problem::{ControlSettings, Problem};
+use crate::problem::{ControlSettings, LookAheadOptions, Problem};
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
@@ -40,7 +41,10 @@ struct Traced<const N: usize> {
 /// What an experiment does without knowing the number of joints.
 trait AnyJoints {
     fn control(&self) -> ControlSettings;
+    fn limits_acceleration(&self) -> bool;
+    fn path_length(&self) -> f64;
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError>;
+    fn run_seeing(&self, options: LookAheadOptions, shortest_time: f64) -> Result<Trace, LabError>;
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
@@ -83,6 +87,13 @@ impl Experiment {
         }
     }
 
+    /// The methods that can be run: those under acceleration limits only where the scenario gives them, neither they nor the
+    /// speed limits vary along the path, and the path begins and ends at rest.
+    #[must_use]
+    pub fn methods(&self) -> &'static [Method] {
+        if self.any().limits_acceleration() { &Method::ALL } else { &Method::UNDER_SPEED_LIMITS }
+    }
+
     /// Runs one method.
     ///
     /// # Errors
@@ -90,6 +101,21 @@ impl Experiment {
     /// Parameters that the conditioner refuses.
     pub fn run(&self, method: Method) -> Result<Trace, LabError> {
         self.any().run(method, self.shortest_time)
+    }
+
+    /// Runs the look-ahead with a window of its own.
+    ///
+    /// # Errors
+    ///
+    /// A scenario without acceleration limits, or parameters that the conditioner refuses.
+    pub fn run_seeing(&self, options: LookAheadOptions) -> Result<Trace, LabError> {
+        self.any().run_seeing(options, self.shortest_time)
+    }
+
+    /// Path parameter from the path's start to its end.
+    #[must_use]
+    pub fn path_length(&self) -> f64 {
+        self.any().path_length()
     }
 
     /// Samples the joint path with about `intervals` intervals and `between` samples inside each.
@@ -145,11 +171,25 @@ impl<const N: usize> AnyJoints for Traced<N> {
         self.problem.control
     }
 
+    fn limits_acceleration(&self) -> bool {
+        online_limits(&self.problem).is_some()
+    }
+
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError> {
         let length = self.problem.path.end() - self.problem.path.start();
         let rate = self.problem.fixed_speed.rate.unwrap_or(length / shortest_time);
         let horizon = self.problem.control.max_duration.unwrap_or(10.0 * shortest_time.max(length / rate) + 30.0);
         simulate(&self.problem, method, rate, horizon)
+    }
+
+    fn run_seeing(&self, options: LookAheadOptions, shortest_time: f64) -> Result<Trace, LabError> {
+        let mut other = self.clone();
+        other.problem.control.look_ahead = options;
+        other.run(Method::AccelerationLookAhead, shortest_time)
+    }
+
+    fn path_length(&self) -> f64 {
+        self.problem.path.end() - self.problem.path.start()
     }
 
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError> {

@@ -1,3 +1,4 @@
+use crate::acceleration::{AccelerationLaw, Sight};
 use crate::controller::Demand;
 use crate::error::{Fault, LabError};
 use crate::limits::EndRate;
@@ -25,11 +26,27 @@ pub enum Method {
     SlidingModeSynchronised,
     /// Sliding-mode regulation, backward-Euler form.
     SlidingModeImplicit,
+    /// Sliding-mode regulation, backward-Euler form, under acceleration limits.
+    AccelerationLimited,
+    /// The same with a window of the path ahead.
+    AccelerationLookAhead,
 }
 
 impl Method {
     /// All methods, in the order of the tables.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
+        Self::Ideal,
+        Self::Saturated,
+        Self::DirectionPreserving,
+        Self::SlidingMode,
+        Self::SlidingModeSynchronised,
+        Self::SlidingModeImplicit,
+        Self::AccelerationLimited,
+        Self::AccelerationLookAhead,
+    ];
+
+    /// The methods that need no acceleration limits.
+    pub const UNDER_SPEED_LIMITS: [Self; 6] = [
         Self::Ideal,
         Self::Saturated,
         Self::DirectionPreserving,
@@ -48,13 +65,27 @@ impl Method {
             Self::SlidingMode => "sliding-mode",
             Self::SlidingModeSynchronised => "sliding-mode-synchronised",
             Self::SlidingModeImplicit => "sliding-mode-implicit",
+            Self::AccelerationLimited => "acceleration-limited",
+            Self::AccelerationLookAhead => "acceleration-look-ahead",
         }
     }
 
     /// Whether the speed is regulated, rather than fixed in advance.
     #[must_use]
     pub fn is_regulated(self) -> bool {
-        matches!(self, Self::SlidingMode | Self::SlidingModeSynchronised | Self::SlidingModeImplicit)
+        !matches!(self, Self::Ideal | Self::Saturated | Self::DirectionPreserving)
+    }
+
+    /// Whether the method keeps limits on joint acceleration, and needs them.
+    #[must_use]
+    pub fn limits_acceleration(self) -> bool {
+        matches!(self, Self::AccelerationLimited | Self::AccelerationLookAhead)
+    }
+
+    /// Whether the change of the desired speed is bounded by what is recorded of it: not where the feedback is slowed.
+    #[must_use]
+    pub fn bounds_chattering(self) -> bool {
+        self.is_regulated() && !self.limits_acceleration()
     }
 
     /// What the method knows in advance, for the comparison's table.
@@ -64,6 +95,8 @@ impl Method {
             Self::Ideal => "nothing, and has no limits",
             Self::Saturated | Self::DirectionPreserving => "a speed chosen by hand",
             Self::SlidingMode | Self::SlidingModeSynchronised | Self::SlidingModeImplicit => "the speed limits only",
+            Self::AccelerationLimited => "the speed and acceleration limits only",
+            Self::AccelerationLookAhead => "the limits and a window of the path ahead",
         }
     }
 }
@@ -80,11 +113,14 @@ pub(crate) enum Law<const N: usize> {
     Fixed { rate: f64, saturation: Option<Saturation> },
     Explicit { regulator: SpeedRegulator<N>, state: SpeedState },
     Implicit { regulator: ImplicitSpeedRegulator<N>, state: SpeedState },
+    Acceleration(Box<AccelerationLaw<N>>),
 }
 
 /// What a law may count on at one sample.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Situation<const N: usize> {
+    /// Path parameter.
+    pub(crate) lambda: f64,
     /// Joint-speed limits here.
     pub(crate) limits: SpeedLimits<N>,
     /// Path rate that the tool's speed limit allows here, 1/s; infinite without one.
@@ -131,15 +167,22 @@ impl<const N: usize> Law<N> {
             Method::SlidingModeImplicit => ImplicitSpeedRegulator::new(settings(Advance::Synchronised))
                 .map(|regulator| Self::Implicit { regulator, state })
                 .map_err(|error| LabError::value("control", error)),
+            Method::AccelerationLimited => {
+                AccelerationLaw::new(problem, Sight::Blind).map(|law| Self::Acceleration(Box::new(law)))
+            }
+            Method::AccelerationLookAhead => {
+                AccelerationLaw::new(problem, Sight::Window).map(|law| Self::Acceleration(Box::new(law)))
+            }
         }
     }
 
     /// One sample.
-    pub(crate) fn step(&mut self, demand: &Demand<N>, here: &Situation<N>) -> Decision<N> {
+    pub(crate) fn step(&mut self, problem: &Problem<N>, demand: &Demand<N>, here: &Situation<N>) -> Decision<N> {
         match self {
             Self::Fixed { rate, saturation } => fixed(demand, *rate, *saturation, here),
             Self::Explicit { regulator, state } => explicit(&regulator.with_limits(here.limits), state, demand, here),
             Self::Implicit { regulator, state } => implicit(&regulator.with_limits(here.limits), state, demand, here),
+            Self::Acceleration(law) => law.step(problem, demand, here),
         }
     }
 }

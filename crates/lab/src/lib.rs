@@ -10,6 +10,7 @@
 //! # Ok::<(), slideway_lab::LabError>(())
 //! ```
 
+mod acceleration;
 pub mod conditioning;
 mod controller;
 pub mod curve;
@@ -28,6 +29,7 @@ mod limits;
 mod metrics;
 mod orientation;
 mod path;
+mod path_window;
 mod placement;
 mod poses;
 mod position;
@@ -57,7 +59,7 @@ pub use limits::{EndRate, LimitKind, LinearLimit, SpeedLimit};
 pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use path::{CartesianPath, EulerPoint, PathPoint};
 pub use position_limits::{PositionExcess, PositionLimits, PositionSource};
-pub use problem::{ControlSettings, FixedSpeed, Integration, Problem};
+pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Problem};
 pub use reference::{Reference, ToolReference};
 pub use robot::{MAX_JOINTS, robot_in};
 pub use sampled::{PathSample, SampledPath, SampledPiece};

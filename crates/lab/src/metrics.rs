@@ -28,12 +28,17 @@ pub struct MethodSummary {
     pub peak_error: [f64; 6],
     /// Largest distance of the tool from its reference while the reference moves, m.
     pub peak_path_error_m: f64,
+    /// Largest distance of the tool from the path's end once the reference is there, m: how far it trails or overshoots.
+    pub peak_end_error_m: f64,
     /// Largest norm of the Euler-angle error while the reference moves, rad.
     pub peak_path_error_rad: f64,
     /// Largest `‖F_N q̇d‖∞` while the reference moves.
     pub limit_ratio_peak: f64,
     /// Largest joint acceleration while the reference moves, as the change of the commanded speed over a sample, rad/s².
     pub peak_acceleration: Vec<f64>,
+    /// Samples of the whole run whose demand was out of the joints' reach at any path rate; `None` for methods without acceleration
+    /// limits.
+    pub samples_off_path: Option<usize>,
     /// Chattering, for the regulated methods.
     pub chattering: Option<Chattering>,
 }
@@ -65,10 +70,15 @@ impl MethodSummary {
             rms_error_norm: root_mean(following, |s| s.error.iter().map(|e| e * e).sum()),
             peak_error: std::array::from_fn(|i| largest(following, |s| s.error[i].abs())),
             peak_path_error_m: largest(moving, |s| norm(&s.error[..3])),
+            peak_end_error_m: largest(&trace.samples[following.len()..], |s| norm(&s.error[..3])),
             peak_path_error_rad: largest(moving, |s| norm(&s.error[3..])),
             limit_ratio_peak: largest(moving, |s| s.limit_ratio),
             peak_acceleration: peak_acceleration(trace, moving),
-            chattering: trace.method.is_regulated().then(|| chattering(moving)),
+            samples_off_path: trace
+                .method
+                .limits_acceleration()
+                .then(|| trace.samples.iter().filter(|s| s.direction_factor < 1.0).count()),
+            chattering: trace.method.bounds_chattering().then(|| chattering(moving)),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
 use crate::scenario::Scenario;
 use crate::scenario::number::Number;
-use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, TaskName};
+use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, LookAheadTable, TaskName};
 use nalgebra::Translation3;
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
@@ -66,6 +66,19 @@ pub struct ControlSettings {
     pub target_rate: f64,
     /// When to give up, s; by default ten times the shortest possible time plus 30 s.
     pub max_duration: Option<f64>,
+    /// What the look-ahead sees, where there are acceleration limits.
+    pub look_ahead: LookAheadOptions,
+}
+
+/// What the look-ahead sees of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LookAheadOptions {
+    /// How far it sees in the path parameter; by default a quarter of the path.
+    pub distance: Option<f64>,
+    /// Intervals that distance is divided into.
+    pub nodes: u32,
+    /// Share of the acceleration limits its plan leaves to the position loop and the discretisation.
+    pub margin: f64,
 }
 
 /// Parameters of the fixed-speed methods (cases 1 to 3 of `[G11]`).
@@ -214,6 +227,7 @@ fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {
         bandwidth: positive("control.bandwidth", table.bandwidth)?,
         target_rate: positive("control.target_rate", table.target_rate)?,
         max_duration: table.max_duration.map(|d| positive("control.max_duration", d)).transpose()?,
+        look_ahead: look_ahead(&table.look_ahead)?,
     };
     let step = settings.filter_step();
     if step > 1.0 {
@@ -221,6 +235,23 @@ fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {
     }
     check_gain("control.gain", settings.gain, settings.sampling_period)?;
     Ok(settings)
+}
+
+/// More nodes than this in a window would take longer than a sample.
+const MOST_NODES: u32 = 10_000;
+
+fn look_ahead(table: &LookAheadTable) -> Result<LookAheadOptions, LabError> {
+    let nodes = table.nodes.unwrap_or(64);
+    if !(1..=MOST_NODES).contains(&nodes) {
+        let fault = Fault::OutOfRange { value: nodes.into(), least: 1.0, most: MOST_NODES.into() };
+        return Err(LabError::value("control.look_ahead.nodes", fault));
+    }
+    let margin = table.margin.map_or(0.05, |m| m.0);
+    if !(0.0..1.0).contains(&margin) {
+        return Err(LabError::value("control.look_ahead.margin", ParameterError::AccelerationMargin(margin)));
+    }
+    let distance = table.distance.map(|d| positive("control.look_ahead.distance", d)).transpose()?;
+    Ok(LookAheadOptions { distance, nodes, margin })
 }
 
 /// The sampled position loop `e <- (1 - Kp Ts) e` is stable for `Kp Ts < 2` only.

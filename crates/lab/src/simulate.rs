@@ -88,12 +88,13 @@ impl<'a, const N: usize> Run<'a, N> {
         let remaining = self.problem.path.end() - self.lambda;
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
         let here = Situation {
+            lambda: self.lambda,
             limits: self.problem.speed_limits_at(self.lambda)?,
             tool_rate: self.problem.tool_rate_limit(self.lambda),
             to_end: remaining / self.period,
         };
         let law_before = self.law.clone();
-        let decision = self.law.step(&demand, &here);
+        let decision = self.law.step(self.problem, &demand, &here);
         self.record(t, &demand, &decision, &here.limits);
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
@@ -119,7 +120,8 @@ impl<'a, const N: usize> Run<'a, N> {
         let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
             let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
             let demand = self.problem.demand(&q, &self.euler, lambda);
-            law.clone().step(&demand, &Situation { to_end: rate, ..*here }).command.joint_speed.into()
+            let here = Situation { lambda, to_end: rate, ..*here };
+            law.clone().step(self.problem, &demand, &here).command.joint_speed.into()
         };
         let k1 = JointVector::from(first.command.joint_speed);
         let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
@@ -133,6 +135,9 @@ impl<'a, const N: usize> Run<'a, N> {
         let t = self.t();
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
         let distance = demand.distance;
+        if matches!(self.law, Law::Acceleration(_)) {
+            return Ok(self.settle_under_acceleration_limits(t, &demand));
+        }
         let desired: [f64; N] = demand.feedback.into();
         let limits = self.problem.speed_limits_at(self.lambda)?;
         let saturation =
@@ -166,6 +171,23 @@ impl<'a, const N: usize> Run<'a, N> {
         Ok(false)
     }
 
+    /// The same under acceleration limits, where to be there means to be able to stay: the joints can stand with the next sample.
+    fn settle_under_acceleration_limits(&mut self, t: f64, demand: &Demand<N>) -> bool {
+        let Law::Acceleration(law) = &mut self.law else { return true };
+        let could_stand = law.can_stand();
+        let decision = law.settle(self.problem, demand);
+        self.record(t, demand, &decision, &self.problem.speed_limits);
+        if demand.distance <= 1.0 && could_stand {
+            let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);
+            self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, demand.distance) });
+            return true;
+        }
+        self.settling = Some(demand.distance);
+        self.q += JointVector::from(decision.command.joint_speed) * self.period;
+        self.euler = demand.euler;
+        false
+    }
+
     /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
     fn arrival_time(&self, t: f64, distance: f64) -> f64 {
         match self.settling {
@@ -181,7 +203,7 @@ impl<'a, const N: usize> Run<'a, N> {
     fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
         let command = &decision.command;
         let shortened = decision.advance_rate < command.path_rate;
-        let chatter = match (&self.before, self.trace.method.is_regulated() && !shortened) {
+        let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
             (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
             _ => None,
         };

@@ -1,6 +1,9 @@
 //! One module a claim: the negation has no model, a dropped hypothesis has one that the shipped code shares, and the
 //! shipped code keeps the claim over random inputs.
 
+mod acceleration_box;
+mod acceleration_factor;
+mod acceleration_recovery;
 mod chattering_band;
 mod command_within_limits;
 mod delayed_band;
@@ -9,6 +12,7 @@ mod factor_range;
 mod frozen_band;
 mod implicit_band;
 mod ledger;
+mod look_ahead_tail;
 mod nan_brakes;
 mod path_band;
 mod path_band_appendix;

@@ -215,6 +215,16 @@ pub(crate) struct ControlTable {
     pub(crate) bandwidth: Number,
     pub(crate) target_rate: Number,
     pub(crate) max_duration: Option<Number>,
+    #[serde(default)]
+    pub(crate) look_ahead: LookAheadTable,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LookAheadTable {
+    pub(crate) distance: Option<Number>,
+    pub(crate) nodes: Option<u32>,
+    pub(crate) margin: Option<Number>,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]

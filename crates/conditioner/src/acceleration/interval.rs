@@ -1,0 +1,175 @@
+use super::limits::AccelerationLimits;
+
+/// One interval of a preview: path speeds at both ends, the distance between them, and what the far end allows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Interval<const N: usize> {
+    /// `q'` at the near end.
+    pub(super) near: [f64; N],
+    /// `q'` at the far end.
+    pub(super) far: [f64; N],
+    /// Difference of the path parameters, positive.
+    pub(super) length: f64,
+    /// Largest `b` at the near end under speed limits.
+    pub(super) cap: f64,
+    /// Largest `b` at the far end from which the window's end can be reached.
+    pub(super) allowed: f64,
+}
+
+/// A row as two parallel lines: `slope x + low <= y <= slope x + high`.
+#[derive(Clone, Copy)]
+struct Lines {
+    slope: f64,
+    low: f64,
+    high: f64,
+}
+
+/// The highest lower and the lowest upper line at some `x`: value, slope and offset of each.
+struct Envelope {
+    low: f64,
+    high: f64,
+    low_line: Lines,
+    high_line: Lines,
+}
+
+impl<const N: usize> Interval<N> {
+    /// The greatest near end `x` from which some far end `y` in [0, `allowed`] can be reached.
+    ///
+    /// On the interval `q'` is linear in `λ` and `b` too, so `λ̈ = (y - x) / (2 d)`, `q'' = (v1 - v0) / d` and the joint acceleration
+    /// `q' λ̈ + q'' b` is linear as well: the limits hold all along if they hold at both ends. Times `2 d`:
+    ///
+    /// ```text
+    /// near end:  v0 y + (2 v1 - 3 v0) x  between  2 d a_lower and 2 d a_upper
+    /// far end:   (3 v1 - 2 v0) y - v1 x  between  2 d a_lower and 2 d a_upper
+    /// ```
+    ///
+    /// Rest, `x = y = 0`, is always admissible, so the answer is never negative. The gap between the lower and the upper
+    /// envelope is convex in `x`; Newton's method from `cap` downwards ends at its root after finitely many steps. Should
+    /// rounding keep it from ending, rest is the answer.
+    pub(super) fn greatest(&self, limits: &AccelerationLimits<N>, share: f64) -> f64 {
+        if !self.near.iter().chain(&self.far).all(|v| v.is_finite()) {
+            return 0.0;
+        }
+        let mut x = self.cap;
+        let range = 2.0 * self.length * share;
+        let mut rows = [[Lines { slope: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY }; 2]; N];
+        let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
+        for ((&v0, &v1), (&lo, &up)) in joints.clone() {
+            for [of_y, of_x] in coefficients(v0, v1) {
+                if row(of_y, of_x, lo, up, range).is_none() && of_x != 0.0 {
+                    x = x.min(range * if of_x > 0.0 { up / of_x } else { lo / of_x });
+                }
+            }
+        }
+        for (pair, ((&v0, &v1), (&lo, &up))) in rows.iter_mut().zip(joints) {
+            for (lines, [of_y, of_x]) in pair.iter_mut().zip(coefficients(v0, v1)) {
+                *lines = row(of_y, of_x, lo, up, range).unwrap_or(*lines);
+            }
+        }
+        self.newton(&rows, x)
+    }
+
+    fn newton(&self, rows: &[[Lines; 2]; N], from: f64) -> f64 {
+        let mut x = from;
+        for _ in 0..8 * N + 8 {
+            let e = self.envelope(rows, x);
+            if !(e.low > e.high) {
+                return x.max(0.0);
+            }
+            let slope = e.low_line.slope - e.high_line.slope;
+            if !(slope > 0.0) {
+                return 0.0;
+            }
+            let next = (e.high_line.high - e.low_line.low) / slope;
+            // Where the root is met to rounding no step leads further down.
+            if !(next < x) {
+                return x;
+            }
+            x = next.max(0.0);
+        }
+        0.0
+    }
+
+    fn envelope(&self, rows: &[[Lines; 2]; N], x: f64) -> Envelope {
+        let neighbour = Lines { slope: 0.0, low: 0.0, high: self.allowed };
+        let mut e = Envelope { low: 0.0, high: self.allowed, low_line: neighbour, high_line: neighbour };
+        for lines in rows.iter().flatten() {
+            let rise = lines.slope * x;
+            if rise + lines.low > e.low {
+                (e.low, e.low_line) = (rise + lines.low, *lines);
+            }
+            if rise + lines.high < e.high {
+                (e.high, e.high_line) = (rise + lines.high, *lines);
+            }
+        }
+        e
+    }
+}
+
+/// Coefficients of `y` and `x` in one joint's rows, near end and far end.
+fn coefficients(v0: f64, v1: f64) -> [[f64; 2]; 2] {
+    [[v0, 2.0 * v1 - 3.0 * v0], [3.0 * v1 - 2.0 * v0, -v1]]
+}
+
+/// A row as lines `y` over `x`; `None` where it does not contain `y`.
+fn row(of_y: f64, of_x: f64, lower: f64, upper: f64, range: f64) -> Option<Lines> {
+    let inverse = 1.0 / of_y;
+    if !inverse.is_finite() {
+        return None;
+    }
+    let (a, b) = (range * lower * inverse, range * upper * inverse);
+    let (low, high) = if inverse > 0.0 { (a, b) } else { (b, a) };
+    Some(Lines { slope: -of_x * inverse, low, high })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Whether some `y` in [0, allowed] keeps every row, straight from the rows.
+    fn is_reachable(interval: &Interval<3>, limits: &AccelerationLimits<3>, x: f64) -> bool {
+        let (mut low, mut high) = (0.0_f64, interval.allowed);
+        for i in 0..3 {
+            let bounds = [2.0 * interval.length * limits.lower()[i], 2.0 * interval.length * limits.upper()[i]];
+            for [of_y, of_x] in coefficients(interval.near[i], interval.far[i]) {
+                let ends = bounds.map(|bound| (bound - of_x * x) / of_y);
+                low = low.max(ends[0].min(ends[1]));
+                high = high.min(ends[0].max(ends[1]));
+            }
+        }
+        low <= high
+    }
+
+    proptest! {
+        #[test]
+        fn the_greatest_value_is_where_a_bisection_on_the_rows_ends(
+            near in proptest::array::uniform3(-2.0..2.0),
+            far in proptest::array::uniform3(-2.0..2.0),
+            length in 1e-3..0.5,
+            allowed in 0.0..4.0,
+            lower in proptest::array::uniform3(-5.0..-0.1),
+            upper in proptest::array::uniform3(0.1..5.0),
+        ) {
+            let limits = AccelerationLimits::new(lower, upper)?;
+            let interval = Interval { near, far, length, cap: 10.0, allowed };
+            let (mut kept, mut refused) = (0.0, 10.0);
+            if is_reachable(&interval, &limits, refused) {
+                kept = refused;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (kept + refused);
+                if is_reachable(&interval, &limits, middle) { kept = middle } else { refused = middle }
+            }
+            // Both divide by coefficients of a line's slope; below 1e-9 of the caps is rounding of those quotients.
+            prop_assert!((interval.greatest(&limits, 1.0) - kept).abs() <= 1e-9 * (1.0 + kept));
+        }
+    }
+
+    #[test]
+    fn an_interval_that_is_not_finite_allows_rest_only() -> Result<(), crate::ParameterError> {
+        let limits = AccelerationLimits::symmetric([1.0])?;
+        let interval = Interval { near: [1.0], far: [f64::NAN], length: 0.1, cap: 1.0, allowed: 1.0 };
+        assert_eq!(interval.greatest(&limits, 1.0), 0.0);
+        Ok(())
+    }
+}

@@ -1,0 +1,12 @@
+; Twin of look-ahead-tail: the range is evaluated where the sample begins, x = lambda. One joint, v = 1, T = 1, deceleration d.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const w Real)
+(declare-const w2 Real)
+(declare-const d Real)
+(assert (and (>= w 1.0) (<= w 10.0) (>= w2 0.5) (>= d 0.1) (<= d 2.0)))
+(assert (= (* w2 w2) (- (* w w) (* 2.0 d w))))
+(assert (>= (- w w2) (* 1.02 d)))
+(check-sat)
+(get-value (w d))
