@@ -19,6 +19,7 @@ mod joint_path;
 mod law;
 mod limits;
 mod metrics;
+pub mod natural;
 mod path;
 mod problem;
 mod robot;

@@ -178,7 +178,7 @@ pub fn locate(text: &str, error: &LabError) -> Option<Range<usize>> {
     match error {
         LabError::Syntax { span, .. } => span.clone(),
         LabError::Value { key, .. } => locate_key(text, key),
-        LabError::LeavesReach { .. } => locate_key(text, "path.end"),
+        LabError::LeavesReach { .. } | LabError::NoFiniteSpeed { .. } => locate_key(text, "path.end"),
         LabError::BrokenPath { .. } => locate_key(text, "path.position"),
         LabError::Read { .. } => None,
     }
