@@ -64,6 +64,9 @@ pub(crate) struct CompareArguments {
     /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) tolerance: Option<f64>,
+    /// Keep the optimum's limits between grid points as well, to this share of each limit, for example 1e-6.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) inter_sample: Option<f64>,
     /// Print summary.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,

@@ -2,13 +2,13 @@ use crate::args::CompareArguments;
 use crate::commands::{Loaded, Outcome, load, print, scenario_error};
 use crate::compare_path::compare_conditioning;
 use crate::diagnostic::CliError;
-use crate::summary::{MethodEntry, OptimumEntry, Summary};
+use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
 use crate::verdict::Verdict;
 use crate::{report, table};
 use indicatif::{ProgressBar, ProgressStyle};
-use slideway_baselines::time_optimal::{TimeOptimum, time_optimum};
+use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_figures::{Optimum, SpeedStudy, draw_speed_study};
-use slideway_lab::{ControlSettings, Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -19,6 +19,10 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
     if let Some(value) = arguments.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
         let remedy = "give a fraction of the optimum, for example 0.02";
         return Err(CliError::Option { option: "tolerance", value, remedy });
+    }
+    if let Some(value) = arguments.inter_sample.filter(|t| !(*t > 0.0 && t.is_finite())) {
+        let remedy = "give a share of the limits, for example 1e-6";
+        return Err(CliError::Option { option: "inter-sample", value, remedy });
     }
     let loaded = load(&arguments.scenario)?;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(loaded.name()));
@@ -39,12 +43,17 @@ fn compare_speed(arguments: &CompareArguments, scenario: &Scenario, out: &Path) 
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
-    let optimum = time_optimum(&path)?;
-    let summary = summarise(scenario, &experiment.control(), &traces, &path, &finer, &optimum, tolerance)?;
+    let solved = Solved::new(&path, &finer, arguments.inter_sample)?;
+    let summary = summarise(
+        &Study { scenario, experiment: &experiment, path: &path, finer: &finer },
+        &traces,
+        &solved,
+        tolerance,
+    )?;
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
-    write(out, scenario, &experiment, &traces, &path, &optimum, &summary)?;
+    write(out, scenario, &experiment, &traces, &path, &solved.optimum, &summary)?;
     progress.finish_and_clear();
     show(arguments.json, &summary, &table::render(&summary), out)?;
     Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
@@ -70,33 +79,35 @@ fn run_methods(experiment: &Experiment, progress: &ProgressBar) -> Result<Vec<Tr
         .collect()
 }
 
-fn summarise(
-    scenario: &Scenario,
-    control: &ControlSettings,
-    traces: &[Trace],
-    path: &SampledPath,
-    finer: &SampledPath,
-    optimum: &TimeOptimum,
-    tolerance: f64,
-) -> Result<Summary, CliError> {
+/// A scenario with its path on a grid and on one twice as fine.
+struct Study<'a> {
+    scenario: &'a Scenario,
+    experiment: &'a Experiment,
+    path: &'a SampledPath,
+    finer: &'a SampledPath,
+}
+
+fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f64) -> Result<Summary, CliError> {
+    let Study { scenario, experiment, path, finer } = study;
     let closed_form = path.speed_limited_time();
-    let entry = OptimumEntry::new(optimum, closed_form, time_optimum(finer)?.duration_s);
-    let speed_only = match &path.acceleration {
-        None => None,
-        Some(_) => {
-            let refined = time_optimum(&finer.under_speed_limits_alone())?.duration_s;
-            Some(OptimumEntry::new(&time_optimum(&path.under_speed_limits_alone())?, closed_form, refined))
-        }
+    let entry = OptimumEntry::new(solved, closed_form);
+    let limits_more = path.pieces.iter().any(|piece| path.limits_acceleration(piece));
+    let speed_only = if limits_more {
+        let (path, finer) = (path.under_speed_limits_alone(), finer.under_speed_limits_alone());
+        Some(OptimumEntry::new(&Solved::new(&path, &finer, None)?, closed_form))
+    } else {
+        None
     };
-    let methods: Vec<MethodEntry> = traces.iter().map(|trace| MethodEntry::new(trace, &entry)).collect();
-    let verdict = Verdict::new(&methods, traces, &entry, path.acceleration.as_deref(), tolerance);
+    let method = |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), &entry);
+    let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
+    let verdict = Verdict::new(&methods, traces, &entry, tolerance);
     Ok(Summary {
         scenario: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
         methods,
         optimum: entry,
         optimum_speed_only: speed_only,
-        limit_ratio_bound: path.limit_ratio_bound(control),
+        limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         verdict,
     })
 }

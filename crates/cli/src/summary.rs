@@ -1,7 +1,9 @@
 use crate::verdict::Verdict;
 use serde::Serialize;
-use slideway_baselines::time_optimal::TimeOptimum;
-use slideway_lab::{MethodSummary, Trace};
+use slideway_baselines::time_optimal::{
+    OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
+};
+use slideway_lab::{LimitKind, LimitUse, MethodSummary, SampledPath, Trace};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -35,6 +37,8 @@ pub(crate) struct MethodEntry {
     pub(crate) ratio_range: Option<[f64; 2]>,
     /// From the start of motion to the reference's end, over the optimum's duration. Below 1 the robot trails.
     pub(crate) reference_ratio: Option<f64>,
+    /// The largest use of each kind of limit that the scenario gives, besides constant joint-speed limits.
+    pub(crate) limit_use: Vec<LimitUse>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,
 }
@@ -54,18 +58,93 @@ pub(crate) struct OptimumEntry {
     pub(crate) status: String,
     pub(crate) iterations: u32,
     pub(crate) solve_s: f64,
-    /// Largest violation of a speed limit between grid points, as a share of the limit.
-    pub(crate) between_nodes_speed: f64,
-    /// Largest violation of an acceleration limit between grid points, as a share of the limit.
-    pub(crate) between_nodes_acceleration: f64,
+    /// Largest violation of each kind of limit between grid points, as a share of the limit.
+    pub(crate) between_nodes: BetweenNodes,
+    /// Tolerance to which refinement drove the violations between grid points; null without refinement.
+    pub(crate) inter_sample_tolerance: Option<f64>,
+    /// Samples between grid points whose limits refinement added.
+    pub(crate) refining_samples: usize,
+    /// The greedy profile by reachability on the same rows: feasible, not the optimum, hundreds of times faster.
+    pub(crate) reachable_s: f64,
     /// Closed form under speed limits alone: the integral of the slowest joint's need, on a finer grid.
     pub(crate) closed_form_speed_s: f64,
     /// The optimum on a grid twice as fine.
     pub(crate) refined_s: f64,
 }
 
+/// Largest violations between grid points, as shares of the limits.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct BetweenNodes {
+    pub(crate) joint_speed: f64,
+    pub(crate) joint_acceleration: f64,
+    pub(crate) joint_torque: f64,
+    pub(crate) tool_speed: f64,
+    pub(crate) tool_acceleration: f64,
+}
+
+impl From<Violation> for BetweenNodes {
+    fn from(violation: Violation) -> Self {
+        Self {
+            joint_speed: violation.speed,
+            joint_acceleration: violation.acceleration,
+            joint_torque: violation.torque,
+            tool_speed: violation.tool_speed,
+            tool_acceleration: violation.tool_acceleration,
+        }
+    }
+}
+
+impl OptimumEntry {
+    /// The violations between grid points in words.
+    pub(crate) fn between_in_words(&self) -> String {
+        let between = &self.between_nodes;
+        let kinds = [
+            (LimitKind::JointSpeed, between.joint_speed),
+            (LimitKind::JointAcceleration, between.joint_acceleration),
+            (LimitKind::JointTorque, between.joint_torque),
+            (LimitKind::ToolSpeed, between.tool_speed),
+            (LimitKind::ToolAcceleration, between.tool_acceleration),
+        ];
+        let words: Vec<String> =
+            kinds.iter().filter(|(_, v)| *v != 0.0).map(|(kind, v)| format!("{kind} {v:.1e}")).collect();
+        let found = if words.is_empty() { "none".into() } else { words.join(", ") + " of the limit" };
+        match self.inter_sample_tolerance {
+            Some(tolerance) => {
+                format!("{found} (refined to {tolerance:.0e} with {} samples more)", self.refining_samples)
+            }
+            None => found,
+        }
+    }
+}
+
+/// How an optimum was found, and what it is checked by.
+#[derive(Clone, Debug)]
+pub(crate) struct Solved {
+    pub(crate) optimum: TimeOptimum,
+    pub(crate) inter_sample_tolerance: Option<f64>,
+    pub(crate) refining_samples: usize,
+    pub(crate) reachable_s: f64,
+    /// The optimum on a grid twice as fine, s.
+    pub(crate) refined_s: f64,
+}
+
+impl Solved {
+    /// Solves on a path, and on one twice as fine; with a tolerance, limits are kept between grid points as well.
+    pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
+        let refined_s = time_optimum(finer)?.duration_s;
+        let Some(tolerance) = tolerance else {
+            let optimum = time_optimum(path)?;
+            let reachable_s = reachable_profile(path)?.duration_s;
+            return Ok(Self { optimum, inter_sample_tolerance: None, refining_samples: 0, reachable_s, refined_s });
+        };
+        let Refined { result: optimum, added, .. } = refine_optimum(path, tolerance)?;
+        let reachable_s = refine_profile(path, tolerance)?.result.duration_s;
+        Ok(Self { optimum, inter_sample_tolerance: Some(tolerance), refining_samples: added, reachable_s, refined_s })
+    }
+}
+
 impl MethodEntry {
-    pub(crate) fn new(trace: &Trace, optimum: &OptimumEntry) -> Self {
+    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, optimum: &OptimumEntry) -> Self {
         let summary = MethodSummary::new(trace);
         let travel_s = summary.travel_s();
         let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
@@ -74,6 +153,7 @@ impl MethodEntry {
             ratio: travel_s.map(|t| t / optimum.duration_s),
             ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
             reference_ratio: reference.map(|t| t / optimum.duration_s),
+            limit_use,
             knows: summary.method.knows(),
             summary,
         }
@@ -81,7 +161,8 @@ impl MethodEntry {
 }
 
 impl OptimumEntry {
-    pub(crate) fn new(optimum: &TimeOptimum, closed_form_speed_s: f64, refined_s: f64) -> Self {
+    pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
+        let optimum = &solved.optimum;
         let mut status: Vec<&str> = optimum.status.iter().map(String::as_str).collect();
         status.sort_unstable();
         status.dedup();
@@ -95,10 +176,12 @@ impl OptimumEntry {
             status: status.join(", "),
             iterations: optimum.iterations,
             solve_s: optimum.solve_s,
-            between_nodes_speed: optimum.between.speed,
-            between_nodes_acceleration: optimum.between.acceleration,
+            between_nodes: optimum.between.into(),
+            inter_sample_tolerance: solved.inter_sample_tolerance,
+            refining_samples: solved.refining_samples,
+            reachable_s: solved.reachable_s,
             closed_form_speed_s,
-            refined_s,
+            refined_s: solved.refined_s,
         }
     }
 }

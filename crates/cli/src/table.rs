@@ -22,7 +22,13 @@ pub(crate) fn render(summary: &Summary) -> String {
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    format!("{}\n{table}\n\n{}\n{}\n", heading(summary), optimum(summary), summary.verdict.sentence)
+    format!(
+        "{}\n{table}\n{}\n{}\n{}\n",
+        heading(summary),
+        limit_use(summary),
+        optimum(summary),
+        summary.verdict.sentence
+    )
 }
 
 fn heading(summary: &Summary) -> String {
@@ -67,6 +73,16 @@ pub(crate) fn short(value: f64) -> String {
     }
 }
 
+/// What each method used of the limits besides constant joint-speed limits, one line a method.
+fn limit_use(summary: &Summary) -> String {
+    let line = |entry: &MethodEntry| {
+        let uses: Vec<String> = entry.limit_use.iter().map(|u| format!("{} {}", u.kind, short(u.share))).collect();
+        (!uses.is_empty()).then(|| format!("  {:26} {}\n", entry.summary.method.name(), uses.join(", ")))
+    };
+    let lines: String = summary.methods.iter().filter_map(line).collect();
+    if lines.is_empty() { lines } else { format!("largest use of the other limits (1 is the limit)\n{lines}") }
+}
+
 fn optimum(summary: &Summary) -> String {
     let mut text = optimum_line("optimum T*", &summary.optimum);
     if let Some(speed_only) = &summary.optimum_speed_only {
@@ -79,8 +95,8 @@ fn optimum(summary: &Summary) -> String {
 fn optimum_line(name: &str, o: &OptimumEntry) -> String {
     format!(
         "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, solver says {}, {:.0} ms)\n  \
-         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, largest violation between grid points: speed \
-         {:.1e}, acceleration {:.1e} of the limit\n",
+         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, greedy profile {:.6} s\n  \
+         largest violation between grid points: {}\n",
         o.lower_s,
         o.upper_s,
         if o.certified { "certified" } else { "NOT certified" },
@@ -90,7 +106,7 @@ fn optimum_line(name: &str, o: &OptimumEntry) -> String {
         1e3 * o.solve_s,
         o.closed_form_speed_s,
         o.refined_s,
-        o.between_nodes_speed,
-        o.between_nodes_acceleration,
+        o.reachable_s,
+        o.between_in_words(),
     )
 }

@@ -17,24 +17,17 @@ pub(crate) struct Verdict {
     pub(crate) sentence: String,
 }
 
-/// By how much an acceleration measured from whole samples may exceed its limit before the times count as not comparable.
-const ACCELERATION_SLACK: f64 = 0.01;
+/// By how much a limit, measured from whole samples, may be exceeded before the times count as not comparable.
+const LIMIT_SLACK: f64 = 0.01;
 
 impl Verdict {
-    pub(crate) fn new(
-        methods: &[MethodEntry],
-        traces: &[Trace],
-        optimum: &OptimumEntry,
-        acceleration: Option<&[f64]>,
-        tolerance: f64,
-    ) -> Self {
+    pub(crate) fn new(methods: &[MethodEntry], traces: &[Trace], optimum: &OptimumEntry, tolerance: f64) -> Self {
         let method = Method::SlidingMode;
         let entry = methods.iter().find(|m| m.summary.method == method);
         let trace = traces.iter().find(|t| t.method == method);
         let ratio = entry.and_then(|e| e.ratio);
-        let reason = entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| {
-            obstacle(entry, trace, optimum, acceleration)
-        });
+        let reason =
+            entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| obstacle(entry, trace, optimum));
         let near = ratio.is_some_and(|r| (r - 1.0).abs() <= tolerance);
         let holds = reason.is_none() && near;
         let sentence = match (reason, entry, ratio) {
@@ -50,12 +43,7 @@ impl Verdict {
 }
 
 /// What keeps the two times from being compared at all.
-fn obstacle(
-    entry: &MethodEntry,
-    trace: Option<&Trace>,
-    optimum: &OptimumEntry,
-    acceleration: Option<&[f64]>,
-) -> Option<String> {
+fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) -> Option<String> {
     if !optimum.certified {
         return Some(format!("the optimum is not certified, its bounds are {:.1e} apart", optimum.gap));
     }
@@ -69,15 +57,13 @@ fn obstacle(
     if entry.travel_s.is_none() {
         return Some("the robot never came within 0.1 mm and 1 mrad of the path's end".into());
     }
-    let excess = acceleration?
-        .iter()
-        .zip(&entry.summary.peak_acceleration)
-        .map(|(limit, peak)| peak / limit)
-        .fold(0.0, f64::max);
-    (excess > 1.0 + ACCELERATION_SLACK).then(|| {
+    let worst = entry.limit_use.iter().max_by(|a, b| a.share.total_cmp(&b.share))?;
+    (!(worst.share <= 1.0 + LIMIT_SLACK)).then(|| {
         format!(
-            "the optimum keeps the acceleration limits and the sliding mode, which does not know them, exceeds them \
-             {excess:.1} times; its time is not comparable (see the optimum under speed limits alone)"
+            "the optimum keeps the limits on {kind} and the sliding mode, which does not know them, exceeds them \
+             {:.1} times; its time is not comparable (see the optimum under speed limits alone)",
+            worst.share,
+            kind = worst.kind
         )
     })
 }

@@ -1,4 +1,5 @@
 use crate::error::ParameterError;
+use crate::limits::SpeedLimits;
 use crate::speed::{SpeedCommand, SpeedRegulator, SpeedSettings, SpeedState};
 
 /// The desired joint speed as an affine function of the factor: `q̇d = feedback + f * feedforward`, rad/s.
@@ -64,6 +65,12 @@ impl<const N: usize> ImplicitSpeedRegulator<N> {
     /// As [`SpeedRegulator::new`].
     pub fn new(settings: SpeedSettings<N>) -> Result<Self, ParameterError> {
         Ok(Self { inner: SpeedRegulator::new(settings)? })
+    }
+
+    /// The same regulator under other limits, for limits that vary along the path.
+    #[must_use]
+    pub fn with_limits(self, limits: SpeedLimits<N>) -> Self {
+        Self { inner: self.inner.with_limits(limits) }
     }
 
     /// The target rate `λ̇d` at which `AffineSpeed::feedforward` is to be evaluated. Unit: 1/s.

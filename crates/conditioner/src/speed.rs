@@ -142,6 +142,12 @@ impl<const N: usize> SpeedRegulator<N> {
         })
     }
 
+    /// The same regulator under other limits, for limits that vary along the path.
+    #[must_use]
+    pub fn with_limits(self, limits: SpeedLimits<N>) -> Self {
+        Self { limits, ..self }
+    }
+
     /// The path rate `f λ̇d` with which the controller is to compute this sample's desired joint speed. Unit: 1/s.
     #[inline]
     #[must_use]

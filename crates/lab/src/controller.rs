@@ -1,6 +1,10 @@
+use crate::joint_curve::JointCurve;
+use crate::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
+use crate::path::PathPoint;
 use crate::problem::Problem;
-use nalgebra::Vector6;
-use slideway_robot::{EulerAngles, JointVector, Twist, euler, solve_rates};
+use crate::reference::{Reference, ToolReference};
+use nalgebra::{Vector3, Vector6};
+use slideway_robot::{EulerAngles, JointKind, JointVector, Pose, Task, Twist, euler, rotation_vector, solve_rates};
 
 /// What the kinematic controller asks for at one instant, split at the path rate.
 ///
@@ -11,11 +15,16 @@ use slideway_robot::{EulerAngles, JointVector, Twist, euler, solve_rates};
 /// ```
 ///
 /// `[G11] Fig. 1` with a proportional position controller. `Inv` is linear for a fixed configuration, so the split is
-/// exact. Euler rates pass through `E(α, β)`: the analytic Jacobian, which does not exist at `β = π/2`, is never formed.
+/// exact. Where the path gives Euler triples, `p_ref - p` is a difference of triples and Euler rates pass through `E(α, β)`:
+/// the analytic Jacobian, which does not exist at `β = π/2`, is never formed. Elsewhere the orientation error is the rotation vector
+/// from the tool to the reference. On a path of the joints, `feedback = Kp (q_ref - q)` and `path_speed = q_ref'(λ)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand<const N: usize> {
-    /// `p_ref - p`, m and rad; coordinates outside the task are zero.
+    /// `p_ref - p` of the tool, m and rad; coordinates outside the task are zero.
     pub error: Vector6<f64>,
+    /// Distance from the reference in units of the arrival tolerances: at most 1 counts as there. On a path of the joints it is
+    /// the joints that must be there.
+    pub distance: f64,
     /// Euler triple of the tool.
     pub euler: EulerAngles,
     /// Joint speed with the reference standing still, rad/s.
@@ -36,25 +45,124 @@ impl<const N: usize> Problem<N> {
     /// Evaluates the controller at a configuration and path parameter; `euler` is the triple one sample earlier.
     #[must_use]
     pub fn demand(&self, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
+        match &self.path {
+            Reference::Tool(tool) => self.tool_demand(tool, q, euler, lambda),
+            Reference::Joint(curve) => self.joint_demand(curve, q, euler, lambda),
+        }
+    }
+
+    /// Where the tool is to be at a path parameter.
+    #[must_use]
+    pub fn reference_pose(&self, lambda: f64) -> Pose {
+        match &self.path {
+            Reference::Tool(tool) => tool.path.at(lambda).pose,
+            Reference::Joint(curve) => self.arm.forward(&curve.at(lambda)[0]),
+        }
+    }
+
+    fn tool_demand(&self, tool: &ToolReference, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
         let frames = self.arm.frames(q);
         let jacobian = self.arm.jacobian_at(&frames);
         let euler = euler::nearest(&frames.tool.rotation, euler);
-        let reference = self.path.at(lambda);
-        let position = frames.tool.translation.vector;
-        let pose = Vector6::new(position.x, position.y, position.z, euler.x, euler.y, euler.z);
-        let error = reference.coordinates - pose;
-        let map = |rates: &Vector6<f64>| twist(rates, &euler);
+        let state = ToolState { pose: &frames.tool, euler };
+        let reference = tool.path.at(lambda);
+        let error = state.error(&reference);
+        let rates = |twist: &Twist| solve_rates(tool.inverse, tool.task, &jacobian, twist);
+        let shown = state.select(tool.task, &reference, &error);
         Demand {
-            error: self.task.select(&error),
+            error: shown,
+            distance: error_distance(&shown.into()),
             euler,
-            feedback: solve_rates(self.inverse, self.task, &jacobian, &map(&(error * self.control.gain))),
-            path_speed: solve_rates(self.inverse, self.task, &jacobian, &map(&reference.first)),
+            feedback: rates(&state.feedback(&reference, &(error * self.control.gain))),
+            path_speed: rates(&state.feedforward(&reference)),
+        }
+    }
+
+    fn joint_demand(&self, curve: &JointCurve<N>, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
+        let [reference, path_speed, _] = curve.at(lambda);
+        let tool = self.arm.forward(q);
+        let to_reference = reference - q;
+        Demand {
+            error: pose_error(&self.arm.forward(&reference), &tool),
+            distance: self.joint_distance(&to_reference),
+            euler: euler::nearest(&tool.rotation, euler),
+            feedback: to_reference * self.control.gain,
+            path_speed,
+        }
+    }
+
+    /// Largest joint error in units of the arrival tolerances.
+    fn joint_distance(&self, error: &JointVector<N>) -> f64 {
+        let tolerance = |kind: JointKind| match kind {
+            JointKind::Revolute => ARRIVAL_ORIENTATION,
+            JointKind::Prismatic => ARRIVAL_POSITION,
+        };
+        let shares = error.iter().zip(self.arm.joints()).map(|(e, joint)| e.abs() / tolerance(joint.kind));
+        shares.fold(0.0, f64::max)
+    }
+}
+
+/// The tool as the controller sees it.
+struct ToolState<'a> {
+    pose: &'a Pose,
+    euler: EulerAngles,
+}
+
+impl ToolState<'_> {
+    /// Reference less tool: position, and Euler triples or the rotation vector.
+    fn error(&self, reference: &PathPoint) -> Vector6<f64> {
+        match &reference.euler {
+            Some(triple) => {
+                let position = reference.pose.translation.vector - self.pose.translation.vector;
+                join(&position, &(triple.angles - self.euler))
+            }
+            None => pose_error(&reference.pose, self.pose),
+        }
+    }
+
+    /// The twist that coordinate rates mean.
+    fn feedback(&self, reference: &PathPoint, rates: &Vector6<f64>) -> Twist {
+        match &reference.euler {
+            Some(_) => twist(rates, &self.euler),
+            None => *rates,
+        }
+    }
+
+    /// The twist of the reference per unit of path rate; Euler rates are mapped at the tool's own triple.
+    fn feedforward(&self, reference: &PathPoint) -> Twist {
+        let Some(triple) = &reference.euler else { return reference.twist };
+        let linear: Vector3<f64> = reference.twist.fixed_rows::<3>(0).into();
+        twist(&join(&linear, &triple.rates), &self.euler)
+    }
+
+    /// The error with coordinates outside the task set to zero. The turn about z is the last of a rotation vector, the first of
+    /// an Euler triple.
+    fn select(&self, task: Task, reference: &PathPoint, error: &Vector6<f64>) -> Vector6<f64> {
+        match (task, &reference.euler) {
+            (Task::PlanarPose, Some(_)) => Vector6::new(error[0], error[1], 0.0, error[3], 0.0, 0.0),
+            _ => task.select(error),
         }
     }
 }
 
+/// Position difference and rotation vector from one pose to another, in the base frame.
+fn pose_error(reference: &Pose, tool: &Pose) -> Vector6<f64> {
+    let position = reference.translation.vector - tool.translation.vector;
+    join(&position, &rotation_vector(&(reference.rotation * tool.rotation.inverse())))
+}
+
+fn join(upper: &Vector3<f64>, lower: &Vector3<f64>) -> Vector6<f64> {
+    Vector6::new(upper.x, upper.y, upper.z, lower.x, lower.y, lower.z)
+}
+
 /// Linear velocity and angular velocity from coordinate rates `[ẋ ẏ ż α̇ β̇ γ̇]`.
-pub(crate) fn twist(rates: &Vector6<f64>, euler: &EulerAngles) -> Twist {
+fn twist(rates: &Vector6<f64>, euler: &EulerAngles) -> Twist {
     let angular = euler::rate_map(euler) * rates.fixed_rows::<3>(3);
     Twist::new(rates[0], rates[1], rates[2], angular.x, angular.y, angular.z)
+}
+
+/// Distance of the tool from the reference in units of the arrival tolerances.
+fn error_distance(error: &[f64; 6]) -> f64 {
+    let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
+    (norm(&error[..3]) / ARRIVAL_POSITION).max(norm(&error[3..]) / ARRIVAL_ORIENTATION)
 }

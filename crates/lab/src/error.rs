@@ -69,6 +69,14 @@ pub enum Fault {
     /// Must be less than zero.
     #[error("{0} is not negative")]
     NotNegative(f64),
+    /// A limit along the path with the wrong sign somewhere.
+    #[error("{value} at path parameter {lambda:.6}: upper limits must be positive and lower ones negative")]
+    SignAt {
+        /// The limit there.
+        value: f64,
+        /// Where.
+        lambda: f64,
+    },
     /// A list of the wrong length.
     #[error("{found} numbers given, {expected} needed (one per joint)")]
     WrongLength {
@@ -142,6 +150,7 @@ impl Fault {
         match self {
             Self::NotPositive(_) => "give a number greater than zero".into(),
             Self::NotNegative(_) => "give a number less than zero".into(),
+            Self::SignAt { .. } => "change the formula so that it keeps its sign along the whole path".into(),
             Self::WrongLength { expected, .. } => {
                 format!("give {expected} numbers, or a single one for all joints")
             }

@@ -1,6 +1,7 @@
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::law::Method;
+use crate::limit_use::LimitUse;
 use crate::problem::{ControlSettings, Problem};
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
@@ -42,6 +43,7 @@ trait AnyJoints {
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
 }
 
 impl Experiment {
@@ -114,6 +116,12 @@ impl Experiment {
     pub fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         self.any().tool_trace(trace)
     }
+
+    /// What a run used of each kind of limit that the scenario gives besides constant joint-speed limits.
+    #[must_use]
+    pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.any().limit_use(trace)
+    }
 }
 
 impl<const N: usize> Traced<N> {
@@ -142,13 +150,18 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     #[allow(clippy::cast_precision_loss)]
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]> {
-        let path = &self.problem.path;
-        let at = |i: usize| path.start() + (path.end() - path.start()) * i as f64 / (points.max(2) - 1) as f64;
-        (0..points.max(2)).map(|i| path.at(at(i)).coordinates.fixed_rows::<3>(0).into_owned().into()).collect()
+        let (start, end) = (self.problem.path.start(), self.problem.path.end());
+        let at = |i: usize| start + (end - start) * i as f64 / (points.max(2) - 1) as f64;
+        let tool = |lambda: f64| self.problem.reference_pose(lambda).translation.vector.into();
+        (0..points.max(2)).map(|i| tool(at(i))).collect()
     }
 
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         let tool = |q: &[f64]| self.problem.arm.forward(&slideway_robot::JointVector::from_fn(|i, _| q[i]));
         trace.samples.iter().map(|s| tool(&s.q).translation.vector.into()).collect()
+    }
+
+    fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        self.problem.limit_use(trace)
     }
 }

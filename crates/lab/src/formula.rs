@@ -126,6 +126,11 @@ pub(crate) struct Formula {
 /// The variable of a path.
 const LAMBDA: &[&str] = &["lambda"];
 
+/// Whether a text could be a formula in `lambda`, rather than a constant.
+pub(crate) fn mentions_lambda(text: &str) -> bool {
+    text.contains(LAMBDA[0])
+}
+
 impl Formula {
     /// Parses a formula in `lambda` (and `pi`).
     ///

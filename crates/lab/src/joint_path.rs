@@ -1,10 +1,9 @@
-use crate::controller::twist;
 use crate::error::LabError;
-use crate::problem::{Problem, pose};
-use nalgebra::Vector3;
-use slideway_robot::{
-    InverseMethod, JacobiSvd, JointVector, NumericIk, NumericIkSettings, RobotError, Twist, euler, solve_rates,
-};
+use crate::joint_curve::JointCurve;
+use crate::problem::Problem;
+use crate::reference::{Reference, ToolReference};
+use crate::tracing::{BEYOND, SMALLEST, configuration, derivatives, follow, is_singular, self_motion};
+use slideway_robot::JointVector;
 
 /// The joint path that follows a tool path exactly, in smooth pieces.
 ///
@@ -30,12 +29,23 @@ pub enum PieceKind<const N: usize> {
     /// The tool follows the path; `s` is the path parameter. Configurations found while tracing, dense enough to start
     /// Newton's method from.
     Follow {
+        /// The path.
+        tool: ToolReference,
         /// Path parameters, increasing.
         at: Vec<f64>,
         /// Configurations there.
         q: Vec<JointVector<N>>,
         /// How far from its ends the piece is evaluated: at a singular end the derivatives exist as limits only.
         inset: f64,
+    },
+    /// The joints follow a path of their own; `s` is the path parameter. Configurations along it, for the grid's density.
+    Prescribed {
+        /// The path.
+        curve: JointCurve<N>,
+        /// Path parameters, increasing.
+        at: Vec<f64>,
+        /// Configurations there.
+        q: Vec<JointVector<N>>,
     },
     /// The tool stands still and the joints move on a straight line; `s` runs from 0 to 1.
     SelfMotion {
@@ -61,17 +71,8 @@ pub struct JointPoint<const N: usize> {
     pub second: JointVector<N>,
 }
 
-/// Largest joint change between neighbouring configurations while tracing, rad.
-const MAX_STEP: f64 = 0.02;
-/// Steps per smooth stretch at the least.
-const MIN_STEPS: f64 = 400.0;
-/// Steps below this share of a stretch mean that the joint path breaks.
-const SMALLEST: f64 = 1e-9;
-/// How far beyond a break the continuation is looked for, and how far from a singular end derivatives are taken, as a share
-/// of the stretch.
-const BEYOND: f64 = 1e-6;
-/// Ratio of the singular values below which a configuration counts as singular.
-const SINGULAR: f64 = 1e-6;
+/// Steps at which a path of the joints is looked at for the grid's density.
+const PRESCRIBED_STEPS: usize = 400;
 
 impl<const N: usize> JointPath<N> {
     /// Traces the joint path from the configuration on the path's first point.
@@ -82,22 +83,24 @@ impl<const N: usize> JointPath<N> {
     pub fn trace(problem: &Problem<N>) -> Result<Self, LabError> {
         let mut ends = problem.path.kinks();
         ends.push(problem.path.end());
+        let tool = match &problem.path {
+            Reference::Tool(tool) => tool,
+            Reference::Joint(curve) => return Ok(Self::prescribed(curve, &ends)),
+        };
         let mut path = Self { pieces: Vec::new() };
         let mut q = problem.path_start;
         let mut begin = problem.path.start();
         for end in ends {
             let stretch = end - begin;
             while begin < end {
-                let (piece, failure) = follow(problem, begin, end, q);
-                if let Some(last) = piece.last() {
-                    q = *last;
+                let followed = follow(problem, tool, begin, end, q);
+                if let (Some(&last_at), Some(&last)) = (followed.at.last(), followed.q.last()) {
+                    path.push(problem, tool, followed.at, followed.q);
+                    (begin, q) = (last_at, last);
                 }
-                let reached = piece.end;
-                path.push(problem, piece);
-                begin = reached;
-                if let Some(failure) = failure {
+                if let Some(failure) = followed.failure {
                     let resume = (begin + BEYOND * stretch).min(end);
-                    let next = self_motion(problem, begin, resume, &q, failure)?;
+                    let next = self_motion(problem, tool, begin, resume, &q, failure)?;
                     path.pieces.push(Piece {
                         kind: PieceKind::SelfMotion { lambda: begin, from: q, to: next },
                         start: 0.0,
@@ -111,6 +114,21 @@ impl<const N: usize> JointPath<N> {
         Ok(path)
     }
 
+    /// A path of the joints, cut at its corners.
+    #[allow(clippy::cast_precision_loss)]
+    fn prescribed(curve: &JointCurve<N>, ends: &[f64]) -> Self {
+        let mut begin = curve.start();
+        let mut pieces = Vec::new();
+        for &end in ends {
+            let share = |i: usize| i as f64 / PRESCRIBED_STEPS as f64;
+            let at: Vec<f64> = (0..=PRESCRIBED_STEPS).map(|i| begin + (end - begin) * share(i)).collect();
+            let q = at.iter().map(|&s| curve.at(s)[0]).collect();
+            pieces.push(Piece { kind: PieceKind::Prescribed { curve: curve.clone(), at, q }, start: begin, end });
+            begin = end;
+        }
+        Self { pieces }
+    }
+
     /// The pieces, in the order of the path.
     #[must_use]
     pub fn pieces(&self) -> &[Piece<N>] {
@@ -118,14 +136,12 @@ impl<const N: usize> JointPath<N> {
     }
 
     /// Adds a followed stretch unless nothing of it was followed, with the inset its ends call for.
-    fn push(&mut self, problem: &Problem<N>, piece: Piece<N>) {
-        let PieceKind::Follow { at, q, .. } = piece.kind else { return };
-        if at.len() < 2 {
-            return;
-        }
-        let singular = [q.first(), q.last()].into_iter().flatten().any(|q| is_singular(problem, q));
-        let inset = (piece.end - piece.start) * if singular { BEYOND } else { SMALLEST };
-        self.pieces.push(Piece { kind: PieceKind::Follow { at, q, inset }, start: piece.start, end: piece.end });
+    fn push(&mut self, problem: &Problem<N>, tool: &ToolReference, at: Vec<f64>, q: Vec<JointVector<N>>) {
+        let ([start, .., end], [first, .., last]) = (at.as_slice(), q.as_slice()) else { return };
+        let (start, end) = (*start, *end);
+        let singular = [first, last].into_iter().any(|q| is_singular(problem, tool.task, q));
+        let inset = (end - start) * if singular { BEYOND } else { SMALLEST };
+        self.pieces.push(Piece { kind: PieceKind::Follow { tool: tool.clone(), at, q, inset }, start, end });
     }
 }
 
@@ -148,13 +164,6 @@ impl<const N: usize> Piece<N> {
         &self.kind
     }
 
-    fn last(&self) -> Option<&JointVector<N>> {
-        match &self.kind {
-            PieceKind::Follow { q, .. } => q.last(),
-            PieceKind::SelfMotion { to, .. } => Some(to),
-        }
-    }
-
     /// The joint path at a parameter, clamped to the piece.
     ///
     /// `q' = J⁺ [f'; E rates]` and `q'' = J⁺ ([f''; E rates' + Ė rates] - J̇ q')`, at the exact configuration.
@@ -170,12 +179,19 @@ impl<const N: usize> Piece<N> {
                 first: to - from,
                 second: JointVector::zeros(),
             }),
-            PieceKind::Follow { at, q, inset } => {
+            PieceKind::Prescribed { curve, .. } => {
+                // At a corner the curve's derivatives are those of the piece that begins there.
+                let inset = SMALLEST * (self.end - self.start);
+                let lambda = s.max(self.start).min(self.end - inset);
+                let [q, first, second] = curve.at(lambda);
+                Ok(JointPoint { lambda, q, first, second })
+            }
+            PieceKind::Follow { tool, at, q, inset } => {
                 let lambda = s.max(self.start + inset).min(self.end - inset);
                 let seed = interpolate(at, q, lambda);
-                let q = configuration(problem, lambda, &seed)
+                let q = configuration(problem, tool, lambda, &seed)
                     .map_err(|source| LabError::LeavesReach { at: lambda, source })?;
-                let (first, second) = derivatives(problem, lambda, &q);
+                let (first, second) = derivatives(problem, tool, lambda, &q);
                 Ok(JointPoint { lambda, q, first, second })
             }
         }
@@ -187,7 +203,10 @@ impl<const N: usize> Piece<N> {
     #[allow(clippy::cast_precision_loss)]
     pub fn grid(&self, problem: &Problem<N>, intervals: usize) -> Vec<f64> {
         let share = |i: usize| i as f64 / intervals as f64;
-        let PieceKind::Follow { at, q, .. } = &self.kind else { return (0..=intervals).map(share).collect() };
+        let (at, q) = match &self.kind {
+            PieceKind::SelfMotion { .. } => return (0..=intervals).map(share).collect(),
+            PieceKind::Follow { at, q, .. } | PieceKind::Prescribed { at, q, .. } => (at, q),
+        };
         let mut cumulative = vec![0.0];
         for pair in q.windows(2) {
             let ratio = problem.speed_limits.ratio(&(pair[1] - pair[0]).into());
@@ -203,143 +222,6 @@ impl<const N: usize> Piece<N> {
         (grid[0], grid[intervals]) = (self.start, self.end);
         grid
     }
-}
-
-/// Follows the path from a configuration until `end` or until it breaks; the piece found, and why it broke.
-fn follow<const N: usize>(
-    problem: &Problem<N>,
-    begin: f64,
-    end: f64,
-    q: JointVector<N>,
-) -> (Piece<N>, Option<RobotError>) {
-    let stretch = end - begin;
-    let (mut at, mut configurations) = (vec![begin], vec![q]);
-    let (mut lambda, mut q, mut step) = (begin, q, stretch / MIN_STEPS);
-    let mut slope = JointVector::<N>::zeros();
-    let mut failure = None;
-    while lambda < end {
-        // A remainder below the smallest step is taken along.
-        let next = if lambda + step > end - SMALLEST * stretch { end } else { lambda + step };
-        let seed = q + slope * (next - lambda);
-        match configuration(problem, next, &seed) {
-            Ok(found) if (found - q).amax() <= MAX_STEP => {
-                slope = (found - q) / (next - lambda);
-                (lambda, q) = (next, found);
-                at.push(lambda);
-                configurations.push(q);
-                step = (2.0 * step).min(stretch / MIN_STEPS);
-            }
-            outcome => {
-                step = 0.5 * (next - lambda);
-                slope *= 0.5;
-                if step < SMALLEST * stretch {
-                    failure = Some(outcome.err().unwrap_or(RobotError::NotConverged {
-                        position_error: 0.0,
-                        orientation_error: 0.0,
-                        iterations: 0,
-                    }));
-                    break;
-                }
-            }
-        }
-    }
-    let kind = PieceKind::Follow { at, q: configurations, inset: 0.0 };
-    (Piece { kind, start: begin, end: lambda }, failure)
-}
-
-/// The configuration nearest to a seed that puts the tool on the path.
-fn configuration<const N: usize>(
-    problem: &Problem<N>,
-    lambda: f64,
-    seed: &JointVector<N>,
-) -> Result<JointVector<N>, RobotError> {
-    let target = pose(&problem.path.at(lambda).coordinates);
-    NumericIk::new(&problem.arm, problem.task, NumericIkSettings::default()).solve(&target, seed)
-}
-
-fn derivatives<const N: usize>(
-    problem: &Problem<N>,
-    lambda: f64,
-    q: &JointVector<N>,
-) -> (JointVector<N>, JointVector<N>) {
-    let point = problem.path.at(lambda);
-    let angles: Vector3<f64> = point.coordinates.fixed_rows::<3>(3).into();
-    let rates: Vector3<f64> = point.first.fixed_rows::<3>(3).into();
-    let jacobian = problem.arm.jacobian(q);
-    // A cutoff at rounding level: the exact inverse wherever there is one.
-    let method = InverseMethod::TruncatedSvd { cutoff: 1e-13 };
-    let first = solve_rates(method, problem.task, &jacobian, &twist(&point.first, &angles));
-    let spin = euler::rate_map_bias(&angles, &rates);
-    let acceleration = twist(&point.second, &angles) + Twist::new(0.0, 0.0, 0.0, spin.x, spin.y, spin.z);
-    let second =
-        solve_rates(method, problem.task, &jacobian, &(acceleration - problem.arm.bias_acceleration(q, &first)));
-    (first, second)
-}
-
-fn is_singular<const N: usize>(problem: &Problem<N>, q: &JointVector<N>) -> bool {
-    let (smallest, largest, _) = weakest_direction(problem, q);
-    !(smallest > SINGULAR * largest)
-}
-
-/// Smallest and largest singular value of the task's Jacobian (of as many as the task has rows), and the joint direction
-/// of the smallest.
-fn weakest_direction<const N: usize>(problem: &Problem<N>, q: &JointVector<N>) -> (f64, f64, JointVector<N>) {
-    let full = problem.arm.jacobian(q);
-    let mut rows = slideway_robot::Jacobian::<N>::zeros();
-    for &row in problem.task.rows() {
-        rows.set_row(row, &full.row(row));
-    }
-    let Some(svd) = JacobiSvd::new(&rows) else { return (0.0, 1.0, JointVector::zeros()) };
-    let mut order: Vec<(f64, usize)> = (0..N).map(|k| (svd.singular_value(k), k)).collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (smallest, index) = order[problem.task.rows().len().min(N) - 1];
-    (smallest, order[0].0, svd.v.column(index).into_owned())
-}
-
-/// Looks for the configuration from which the path goes on after a break: along the self-motion of the singularity, the
-/// one reached soonest under the speed limits.
-fn self_motion<const N: usize>(
-    problem: &Problem<N>,
-    at: f64,
-    resume: f64,
-    q: &JointVector<N>,
-    failure: RobotError,
-) -> Result<JointVector<N>, LabError> {
-    const TRIALS: i32 = 180;
-    let (smallest, largest, direction) = weakest_direction(problem, q);
-    // Within the share BEYOND of a singularity the smallest singular value is of that order too; 1e-3 leaves room.
-    if smallest > 1e-3 * largest {
-        return Err(LabError::LeavesReach { at, source: failure });
-    }
-    let direction = direction / direction.amax();
-    let time = |next: &JointVector<N>| problem.speed_limits.ratio(&(next - q).into());
-    let mut best: Option<JointVector<N>> = None;
-    let mut jump = f64::INFINITY;
-    for i in -TRIALS..=TRIALS {
-        let seed = q + direction * (std::f64::consts::PI * f64::from(i) / f64::from(TRIALS));
-        let Ok(next) = configuration(problem, resume, &seed) else { continue };
-        jump = jump.min((next - q).amax());
-        if stands_still(problem, at, q, &next) && best.as_ref().is_none_or(|b| time(&next) < time(b)) {
-            best = Some(next);
-        }
-    }
-    // No configuration at all beyond the break: the arm is stretched out, not in the way of itself.
-    best.ok_or(if jump.is_finite() {
-        LabError::BrokenPath { at, jump }
-    } else {
-        LabError::LeavesReach { at, source: failure }
-    })
-}
-
-/// Whether the tool keeps its place while the joints go straight from one configuration to the other: within 10 µm and
-/// 10 µrad plus what the path itself moves over the share [`BEYOND`].
-fn stands_still<const N: usize>(problem: &Problem<N>, at: f64, from: &JointVector<N>, to: &JointVector<N>) -> bool {
-    let ik = NumericIk::new(&problem.arm, problem.task, NumericIkSettings::default());
-    let target = pose(&problem.path.at(at).coordinates);
-    (0..=20).all(|i| {
-        let q = from + (to - from) * (f64::from(i) / 20.0);
-        ik.error(&target, &q).norm() < 1e-5 + 10.0 * BEYOND
-    })
 }
 
 /// Linear interpolation between traced configurations.

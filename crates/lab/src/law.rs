@@ -1,9 +1,11 @@
 use crate::controller::Demand;
-use crate::error::LabError;
+use crate::error::{Fault, LabError};
+use crate::limits::EndRate;
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
 use slideway_conditioner::{
-    Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedCommand, SpeedRegulator, SpeedSettings, SpeedState,
+    Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedCommand, SpeedLimits, SpeedRegulator, SpeedSettings,
+    SpeedState,
 };
 use std::fmt;
 
@@ -80,6 +82,17 @@ pub(crate) enum Law<const N: usize> {
     Implicit { regulator: ImplicitSpeedRegulator<N>, state: SpeedState },
 }
 
+/// What a law may count on at one sample.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Situation<const N: usize> {
+    /// Joint-speed limits here.
+    pub(crate) limits: SpeedLimits<N>,
+    /// Path rate that the tool's speed limit allows here, 1/s; infinite without one.
+    pub(crate) tool_rate: f64,
+    /// Path rate that just reaches the path's end with this sample.
+    pub(crate) to_end: f64,
+}
+
 /// What a law decides for one sample.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Decision<const N: usize> {
@@ -101,9 +114,10 @@ impl<const N: usize> Law<N> {
             saturation: Saturation::DirectionPreserving,
             advance,
         };
+        let state = initial_state(problem)?;
         let explicit = |advance| {
             SpeedRegulator::new(settings(advance))
-                .map(|regulator| Self::Explicit { regulator, state: SpeedState::at_rest() })
+                .map(|regulator| Self::Explicit { regulator, state })
                 .map_err(|error| LabError::value("control", error))
         };
         match method {
@@ -115,61 +129,85 @@ impl<const N: usize> Law<N> {
             Method::SlidingMode => explicit(Advance::Paper),
             Method::SlidingModeSynchronised => explicit(Advance::Synchronised),
             Method::SlidingModeImplicit => ImplicitSpeedRegulator::new(settings(Advance::Synchronised))
-                .map(|regulator| Self::Implicit { regulator, state: SpeedState::at_rest() })
+                .map(|regulator| Self::Implicit { regulator, state })
                 .map_err(|error| LabError::value("control", error)),
         }
     }
 
-    /// One sample. `most` is the path rate that just reaches the path's end with this sample.
-    pub(crate) fn step(&mut self, problem: &Problem<N>, demand: &Demand<N>, most: f64) -> Decision<N> {
+    /// One sample.
+    pub(crate) fn step(&mut self, demand: &Demand<N>, here: &Situation<N>) -> Decision<N> {
         match self {
-            Self::Fixed { rate, saturation } => fixed(problem, demand, *rate, *saturation, most),
-            Self::Explicit { regulator, state } => {
-                let requested = regulator.requested_rate(state);
-                let desired = demand.at(requested.min(most)).into();
-                let command = regulator.step(state, &desired);
-                // In the synchronised form the shortened last step is scaled as the whole one would be.
-                let share = if requested > 0.0 { command.path_rate / requested } else { 0.0 };
-                Decision { command, desired, advance_rate: share * requested.min(most) }
-            }
-            Self::Implicit { regulator, state } => {
-                let split = AffineSpeed {
-                    feedback: demand.feedback.into(),
-                    feedforward: (demand.path_speed * regulator.target_rate()).into(),
-                };
-                let mut command = regulator.step(state, &split);
-                let advance_rate = command.path_rate.min(most);
-                let mut desired = split.at(command.factor);
-                if advance_rate < command.path_rate {
-                    // A shorter step along the same line: the limits are convex, so it keeps them too.
-                    desired = demand.at(advance_rate).into();
-                    command.joint_speed =
-                        problem.speed_limits.saturate(&desired, Saturation::DirectionPreserving).joint_speed;
-                }
-                Decision { command, desired, advance_rate }
-            }
+            Self::Fixed { rate, saturation } => fixed(demand, *rate, *saturation, here),
+            Self::Explicit { regulator, state } => explicit(&regulator.with_limits(here.limits), state, demand, here),
+            Self::Implicit { regulator, state } => implicit(&regulator.with_limits(here.limits), state, demand, here),
         }
     }
 }
 
+/// The reference at rest, or as fast as the scenario says.
+fn initial_state<const N: usize>(problem: &Problem<N>) -> Result<SpeedState, LabError> {
+    let EndRate::Given(rate) = problem.start_rate else { return Ok(SpeedState::at_rest()) };
+    let most = problem.control.target_rate;
+    let too_fast = |_| LabError::value("limits.start_rate", Fault::OutOfRange { value: rate, least: 0.0, most });
+    SpeedState::moving(rate / most).map_err(too_fast)
+}
+
+/// The explicit forms. The filter knows the joints only: a path rate capped for the tool's sake stays capped while `f` rises.
+fn explicit<const N: usize>(
+    regulator: &SpeedRegulator<N>,
+    state: &mut SpeedState,
+    demand: &Demand<N>,
+    here: &Situation<N>,
+) -> Decision<N> {
+    let requested = regulator.requested_rate(state);
+    let capped = requested.min(here.tool_rate);
+    let desired = demand.at(capped.min(here.to_end)).into();
+    let mut command = regulator.step(state, &desired);
+    // A shortened step is scaled as the whole one would be: by 1 or, in the synchronised form, by fdir.
+    let share = if requested > 0.0 { command.path_rate / requested } else { 0.0 };
+    command.path_rate = share * capped;
+    Decision { command, desired, advance_rate: share * capped.min(here.to_end) }
+}
+
+fn implicit<const N: usize>(
+    regulator: &ImplicitSpeedRegulator<N>,
+    state: &mut SpeedState,
+    demand: &Demand<N>,
+    here: &Situation<N>,
+) -> Decision<N> {
+    let split = AffineSpeed {
+        feedback: demand.feedback.into(),
+        feedforward: (demand.path_speed * regulator.target_rate()).into(),
+    };
+    let mut command = regulator.step(state, &split);
+    let capped = command.path_rate.min(here.tool_rate);
+    let advance_rate = capped.min(here.to_end);
+    let mut desired = split.at(command.factor);
+    if advance_rate < command.path_rate {
+        // A shorter step along the same line: the limits are convex, so it keeps them too.
+        desired = demand.at(advance_rate).into();
+        command.joint_speed = here.limits.saturate(&desired, Saturation::DirectionPreserving).joint_speed;
+    }
+    command.path_rate = capped;
+    Decision { command, desired, advance_rate }
+}
+
 /// Fixed speed: nothing is regulated, the joints take what saturation leaves.
 fn fixed<const N: usize>(
-    problem: &Problem<N>,
     demand: &Demand<N>,
     rate: f64,
     saturation: Option<Saturation>,
-    most: f64,
+    here: &Situation<N>,
 ) -> Decision<N> {
-    let desired: [f64; N] = demand.at(rate.min(most)).into();
-    let limits = &problem.speed_limits;
-    let saturated = limits.saturate(&desired, saturation.unwrap_or(Saturation::Direct));
+    let desired: [f64; N] = demand.at(rate.min(here.to_end)).into();
+    let saturated = here.limits.saturate(&desired, saturation.unwrap_or(Saturation::Direct));
     let command = SpeedCommand {
         joint_speed: if saturation.is_some() { saturated.joint_speed } else { desired },
         path_rate: rate,
         factor: 1.0,
         switch: 1.0,
         direction_factor: if saturation.is_some() { saturated.direction_factor } else { 1.0 },
-        limit_ratio: limits.ratio(&desired),
+        limit_ratio: here.limits.ratio(&desired),
     };
-    Decision { command, desired, advance_rate: rate.min(most) }
+    Decision { command, desired, advance_rate: rate.min(here.to_end) }
 }

@@ -1,11 +1,13 @@
 use crate::error::{Fault, LabError};
 use crate::formula::Formula;
 use crate::scenario::schema::{OrientationTable, PathTable, PositionTable, TaskName};
-use nalgebra::{Vector3, Vector6};
+use nalgebra::{Translation3, Vector3, Vector6};
+use slideway_robot::{EulerAngles, Pose, Twist, euler};
+use std::ops::Range;
 
-/// A path of the tool: position and Euler triple as functions of the path parameter `λ`.
+/// A path of the tool: position and orientation as functions of the path parameter `λ`.
 ///
-/// Coordinates are `[x y z α β γ]` in m and rad, orientation `Rz(α) Ry(β) Rx(γ)`, all in the base frame.
+/// In m and rad, Euler triples meaning `Rz(α) Ry(β) Rx(γ)`, all in the base frame.
 #[derive(Clone, Debug)]
 pub struct CartesianPath {
     start: f64,
@@ -36,15 +38,27 @@ struct Knot {
     euler: Vector3<f64>,
 }
 
-/// One point of a path with its derivatives by the path parameter.
+/// One point of a tool path with its derivatives by the path parameter, in the base frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPoint {
-    /// `f(λ)`.
-    pub coordinates: Vector6<f64>,
-    /// `f'(λ)`; at a kink, the one of the piece that begins there.
-    pub first: Vector6<f64>,
-    /// `f''(λ)`.
-    pub second: Vector6<f64>,
+    /// Position and orientation.
+    pub pose: Pose,
+    /// `[p'(λ); ω(λ)]`, linear and angular speed per unit of path rate; at a kink, those of the piece that begins there.
+    pub twist: Twist,
+    /// `[p''(λ); ω'(λ)]`.
+    pub acceleration: Twist,
+    /// The orientation as an Euler triple, where the path gives it so: the controller then compares Euler triples, as
+    /// `[G11]` does; else it takes the rotation vector between tool and reference.
+    pub euler: Option<EulerPoint>,
+}
+
+/// The orientation of a path point in the convention `Rz(α) Ry(β) Rx(γ)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EulerPoint {
+    /// `α, β, γ`, rad.
+    pub angles: EulerAngles,
+    /// Their derivatives by the path parameter.
+    pub rates: EulerAngles,
 }
 
 /// Value and derivatives of three coordinates.
@@ -52,10 +66,9 @@ pub(crate) type Curve3 = [Vector3<f64>; 3];
 
 impl CartesianPath {
     pub(crate) fn new(table: &PathTable, task: TaskName) -> Result<Self, LabError> {
-        let (start, end) = (table.start.0, table.end.0);
-        if !(start < end) {
-            return Err(LabError::value("path.end", Fault::NotIncreasing { before: start, after: end }));
-        }
+        let Range { start, end } = range(table)?;
+        let missing = Fault::Missing("say where the path leads: `path.position` for the tool or `path.joints`");
+        let position = table.position.as_ref().ok_or_else(|| LabError::value("path", missing))?;
         let orientation = match &table.orientation {
             Some(table) => OrientationCurve::new(table, start, end)?,
             None if matches!(task, TaskName::Pose | TaskName::PlanarPose) => {
@@ -66,12 +79,8 @@ impl CartesianPath {
             }
             None => OrientationCurve::Constant(Vector3::zeros()),
         };
-        let path = Self {
-            start,
-            end,
-            position: PositionCurve::new(&table.position, start, end, "path.position")?,
-            orientation,
-        };
+        let path =
+            Self { start, end, position: PositionCurve::new(position, start, end, "path.position")?, orientation };
         path.check_finite()?;
         Ok(path)
     }
@@ -92,11 +101,13 @@ impl CartesianPath {
     #[must_use]
     pub fn at(&self, lambda: f64) -> PathPoint {
         let [position, velocity, acceleration] = self.position.at(lambda);
-        let [euler, rate, rate2] = self.orientation.at(lambda);
+        let [angles, rates, rates2] = self.orientation.at(lambda);
+        let map = euler::rate_map(&angles);
         PathPoint {
-            coordinates: join(&position, &euler),
-            first: join(&velocity, &rate),
-            second: join(&acceleration, &rate2),
+            pose: Pose::from_parts(Translation3::from(position), euler::rotation(&angles)),
+            twist: join(&velocity, &(map * rates)),
+            acceleration: join(&acceleration, &(map * rates2 + euler::rate_map_bias(&angles, &rates))),
+            euler: Some(EulerPoint { angles, rates }),
         }
     }
 
@@ -116,15 +127,26 @@ impl CartesianPath {
         const PROBES: u32 = 1000;
         for i in 0..=PROBES {
             let lambda = self.start + (self.end - self.start) * f64::from(i) / f64::from(PROBES);
-            let point = self.at(lambda);
-            let finite = |v: &Vector6<f64>, from: usize| v.iter().skip(from).take(3).all(|x| x.is_finite());
-            for (key, from) in [("path.position", 0), ("path.orientation", 3)] {
-                if !(finite(&point.coordinates, from) && finite(&point.first, from) && finite(&point.second, from)) {
+            let finite = |curve: Curve3| curve.iter().all(|v| v.iter().all(|x| x.is_finite()));
+            for (key, curve) in
+                [("path.position", self.position.at(lambda)), ("path.orientation", self.orientation.at(lambda))]
+            {
+                if !finite(curve) {
                     return Err(LabError::value(key, Fault::UndefinedAt(lambda)));
                 }
             }
         }
         Ok(())
+    }
+}
+
+/// First and last path parameter.
+pub(crate) fn range(table: &PathTable) -> Result<Range<f64>, LabError> {
+    let (start, end) = (table.start.0, table.end.0);
+    if start < end {
+        Ok(start..end)
+    } else {
+        Err(LabError::value("path.end", Fault::NotIncreasing { before: start, after: end }))
     }
 }
 

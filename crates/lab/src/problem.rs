@@ -1,33 +1,43 @@
+use crate::dynamic_limits::{ToolLimits, TorqueLimits};
 use crate::error::{Fault, LabError};
+use crate::joint_bounds::JointBounds;
+use crate::joint_curve::JointCurve;
+use crate::limit_reader::LimitReader;
+use crate::limits::EndRate;
 use crate::path::CartesianPath;
+use crate::placement::Placement;
+use crate::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
 use crate::scenario::Scenario;
-use crate::scenario::number::{Number, PerJoint};
-use crate::scenario::schema::{
-    BranchTable, ControlTable, ElbowName, IntegrationName, InverseTable, LimitsTable, ShoulderName, TaskName, WristName,
-};
-use nalgebra::{Translation3, Vector3, Vector6};
+use crate::scenario::number::Number;
+use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, ScenarioFile, TaskName};
+use nalgebra::Translation3;
 use slideway_conditioner::{ParameterError, SpeedLimits};
 use slideway_robot::{
-    Branch, Elbow, EulerAngles, InverseMethod, JointVector, NumericIk, NumericIkSettings, Pose, RobotDescription,
-    RobotError, SerialArm, Shoulder, SphericalWristIk, Task, Wrist, euler,
+    EulerAngles, InverseMethod, JointVector, Pose, RobotDescription, RobotError, SerialArm, Task, euler,
 };
 
-/// A robot, its task, a path and limits: everything the loop and the optimum need, validated.
+/// A robot, a path and limits: everything the loop and the optimum need, validated.
 #[derive(Clone, Debug)]
 pub struct Problem<const N: usize> {
     /// The arm.
     pub arm: SerialArm<N>,
-    /// Which tool coordinates the path prescribes.
-    pub task: Task,
-    /// How a tool twist becomes joint speeds in the controller.
-    pub inverse: InverseMethod,
-    /// The path.
-    pub path: CartesianPath,
-    /// Joint-speed limits, rad/s (m/s for joints that slide).
+    /// What the robot is to follow.
+    pub path: Reference<N>,
+    /// Joint-speed limits, rad/s (m/s for joints that slide); where they vary along the path, the widest they get.
     pub speed_limits: SpeedLimits<N>,
-    /// Joint-acceleration limits, rad/s², symmetric, for the optimum.
-    pub acceleration_limits: Option<[f64; N]>,
+    /// Joint-speed limits along the path, where they vary.
+    pub speed_along: Option<JointBounds<N>>,
+    /// Joint-acceleration limits, rad/s² (m/s²).
+    pub acceleration_limits: Option<JointBounds<N>>,
+    /// Torque limits of the drives, with the robot's dynamics.
+    pub torque_limits: Option<TorqueLimits<N>>,
+    /// Limits of the tool.
+    pub tool_limits: ToolLimits,
+    /// Path rate at the path's first point.
+    pub start_rate: EndRate,
+    /// Path rate at its last point.
+    pub end_rate: EndRate,
     /// Controller and regulator.
     pub control: ControlSettings,
     /// The fixed-speed methods.
@@ -92,95 +102,63 @@ impl<const N: usize> Problem<N> {
     pub(crate) fn new(scenario: &Scenario, robot: &RobotDescription) -> Result<Self, LabError> {
         scenario.check_options()?;
         let file = &scenario.file;
-        let task = task(file.robot.task);
         let arm = robot.arm().map_err(|error| LabError::value(robot_key(&file.robot), error))?;
-        let inverse = inverse(&file.robot.inverse);
-        inverse.validate(task, N).map_err(|error| LabError::value(inverse_key(&file.robot.inverse, &error), error))?;
-        if task.rows().len() > N {
-            let fault = Fault::OutOfRange { value: task.rows().len() as f64, least: 1.0, most: N as f64 };
-            return Err(LabError::value("robot.task", fault));
-        }
-        let path = CartesianPath::new(&file.path, file.robot.task)?;
+        let path: Reference<N> = reference(file)?;
+        let limits = LimitReader { table: &file.limits, robot, path: path.start()..path.end() };
+        let speed = limits.speed::<N>()?;
         let mut problem = Self {
             arm,
-            task,
-            inverse,
             path,
-            speed_limits: speed_limits(&file.limits, robot)?,
-            acceleration_limits: acceleration_limits(&file.limits)?,
+            speed_limits: limits.widest_speed(&speed)?,
+            speed_along: speed.vary().then_some(speed),
+            acceleration_limits: limits.acceleration()?,
+            torque_limits: limits.torque()?,
+            tool_limits: limits.tool()?,
+            start_rate: limits.end_rate("limits.start_rate", file.limits.start_rate)?,
+            end_rate: limits.end_rate("limits.end_rate", file.limits.end_rate)?,
             control: control(&file.control)?,
             fixed_speed: fixed_speed(scenario)?,
             start: JointVector::zeros(),
             start_euler: EulerAngles::zeros(),
             path_start: JointVector::zeros(),
         };
-        problem.place(scenario)?;
+        Placement { problem: &mut problem, scenario }.place()?;
         Ok(problem)
-    }
-
-    /// Finds the start configuration and the one on the path's first point.
-    fn place(&mut self, scenario: &Scenario) -> Result<(), LabError> {
-        let table = &scenario.file.start;
-        let branch = table.branch.as_ref().map(branch);
-        let near = table.near.as_ref().map(|q| joints::<N>("start.near", q)).transpose()?;
-        let first = self.path.at(self.path.start()).coordinates;
-        if let Some(q) = &table.q {
-            if table.pose.is_some() || branch.is_some() || near.is_some() {
-                return Err(LabError::value(
-                    "start.q",
-                    Fault::Conflict("`start.q` says it all; remove the other keys"),
-                ));
-            }
-            self.start = joints::<N>("start.q", q)?;
-            self.path_start = self.solve_pose(&first, None, Some(self.start), scenario.path_start_key())?;
-        } else {
-            self.path_start = self.solve_pose(&first, branch, near, scenario.path_start_key())?;
-            self.start = match &table.pose {
-                Some(pose) => {
-                    let pose = Vector6::from_iterator(pose.iter().map(|n| n.0));
-                    self.solve_pose(&pose, branch, near.or(Some(self.path_start)), "start.pose")?
-                }
-                None => self.path_start,
-            };
-        }
-        let wanted =
-            table.pose.map_or_else(|| first.fixed_rows::<3>(3).into_owned(), |p| Vector3::new(p[3].0, p[4].0, p[5].0));
-        self.start_euler = euler::nearest(&self.arm.forward(&self.start).rotation, &wanted);
-        Ok(())
-    }
-
-    /// A configuration for tool coordinates: closed form on a branch, else numeric from a seed.
-    fn solve_pose(
-        &self,
-        coordinates: &Vector6<f64>,
-        branch: Option<Branch>,
-        near: Option<JointVector<N>>,
-        key: &str,
-    ) -> Result<JointVector<N>, LabError> {
-        let pose = pose(coordinates);
-        if let Some(branch) = branch {
-            let ik = SphericalWristIk::new(&self.arm).map_err(|error| LabError::value("start.branch", error))?;
-            let q = ik.solve(&pose, branch).map_err(|error| LabError::value(key, error))?;
-            return Ok(JointVector::from_fn(|i, _| q[i]));
-        }
-        let Some(seed) = near else {
-            return Err(LabError::value(
-                "start",
-                Fault::Missing("say where the robot stands: `q`, or `branch`, or `near` (joint positions close to it)"),
-            ));
-        };
-        NumericIk::new(&self.arm, self.task, NumericIkSettings::default())
-            .solve(&pose, &seed)
-            .map_err(|error| LabError::value(key, error))
     }
 }
 
+/// The path and, for one of the tool, how the controller follows it.
+fn reference<const N: usize>(file: &ScenarioFile) -> Result<Reference<N>, LabError> {
+    if let Some(joints) = &file.path.joints {
+        let shared =
+            [("path.position", file.path.position.is_some()), ("path.orientation", file.path.orientation.is_some())];
+        if let Some((key, _)) = shared.into_iter().find(|(_, given)| *given) {
+            let fault = Fault::Conflict("a path of the joints (`path.joints`) leaves nothing for the tool to say");
+            return Err(LabError::value(key, fault));
+        }
+        return Ok(Reference::Joint(JointCurve::new(&file.path, joints)?));
+    }
+    let missing = Fault::Missing("a path of the tool needs an inverse, for example `[robot.inverse.adjugate]`");
+    let table = file.robot.inverse.as_ref().ok_or_else(|| LabError::value("robot.inverse", missing))?;
+    let tool = ToolReference {
+        path: CartesianPath::new(&file.path, file.robot.task)?,
+        task: task(file.robot.task),
+        inverse: inverse(table),
+    };
+    let validated = tool.inverse.validate(tool.task, N);
+    validated.map_err(|error| LabError::value(inverse_key(table, &error), error))?;
+    let rows = tool.task.rows().len();
+    if rows > N {
+        let fault = Fault::OutOfRange { value: rows as f64, least: 1.0, most: N as f64 };
+        return Err(LabError::value("robot.task", fault));
+    }
+    Ok(Reference::Tool(tool))
+}
+
 /// The pose of tool coordinates `[x y z α β γ]`.
-pub(crate) fn pose(coordinates: &Vector6<f64>) -> Pose {
-    Pose::from_parts(
-        Translation3::new(coordinates[0], coordinates[1], coordinates[2]),
-        euler::rotation(&coordinates.fixed_rows::<3>(3).into_owned()),
-    )
+pub(crate) fn pose(coordinates: &[f64; 6]) -> Pose {
+    let [x, y, z, alpha, beta, gamma] = *coordinates;
+    Pose::from_parts(Translation3::new(x, y, z), euler::rotation(&EulerAngles::new(alpha, beta, gamma)))
 }
 
 fn task(name: TaskName) -> Task {
@@ -210,79 +188,14 @@ fn inverse_key(table: &InverseTable, error: &RobotError) -> &'static str {
     }
 }
 
-fn branch(table: &BranchTable) -> Branch {
-    Branch {
-        shoulder: match table.shoulder {
-            ShoulderName::Right => Shoulder::Right,
-            ShoulderName::Left => Shoulder::Left,
-        },
-        elbow: match table.elbow {
-            ElbowName::Up => Elbow::Up,
-            ElbowName::Down => Elbow::Down,
-        },
-        wrist: match table.wrist {
-            WristName::NoFlip => Wrist::NoFlip,
-            WristName::Flip => Wrist::Flip,
-        },
-    }
-}
-
-fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
+pub(crate) fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
     if numbers.len() != N {
         return Err(LabError::value(key, Fault::WrongLength { found: numbers.len(), expected: N }));
     }
     Ok(JointVector::from_fn(|i, _| numbers[i].0))
 }
 
-fn per_joint<const N: usize>(key: &str, values: &PerJoint) -> Result<[f64; N], LabError> {
-    match values {
-        PerJoint::All(value) => Ok([*value; N]),
-        PerJoint::Each(values) => values
-            .as_slice()
-            .try_into()
-            .map_err(|_| LabError::value(key, Fault::WrongLength { found: values.len(), expected: N })),
-    }
-}
-
-/// The key of one element of a per-joint value.
-fn element(key: &str, values: &PerJoint, joint: usize) -> String {
-    if matches!(values, PerJoint::All(_)) { key.to_owned() } else { format!("{key}.{joint}") }
-}
-
-/// The scenario's speed limits, else those of the robot.
-fn speed_limits<const N: usize>(table: &LimitsTable, robot: &RobotDescription) -> Result<SpeedLimits<N>, LabError> {
-    let robots = || robot.velocity_limits().map(PerJoint::Each);
-    let missing = Fault::Missing("the robot has no speed limits of its own for every joint");
-    let speed = table.speed.clone().or_else(robots).ok_or_else(|| LabError::value("limits.speed", missing))?;
-    let upper = per_joint("limits.speed", &speed)?;
-    let lower = match &table.speed_lower {
-        Some(values) => per_joint("limits.speed_lower", values)?,
-        None => upper.map(|u| -u),
-    };
-    SpeedLimits::new(lower, upper).map_err(|error| match (error, &table.speed_lower) {
-        (ParameterError::LowerLimit { joint, value }, Some(values)) => {
-            LabError::value(element("limits.speed_lower", values, joint), Fault::NotNegative(value))
-        }
-        (ParameterError::LowerLimit { joint, value }, None) => {
-            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(-value))
-        }
-        (ParameterError::UpperLimit { joint, value }, _) => {
-            LabError::value(element("limits.speed", &speed, joint), Fault::NotPositive(value))
-        }
-        (error, _) => LabError::value("limits", error),
-    })
-}
-
-fn acceleration_limits<const N: usize>(table: &LimitsTable) -> Result<Option<[f64; N]>, LabError> {
-    let Some(values) = &table.acceleration else { return Ok(None) };
-    let limits: [f64; N] = per_joint("limits.acceleration", values)?;
-    if let Some(joint) = limits.iter().position(|&l| !(l > 0.0)) {
-        return Err(LabError::value(element("limits.acceleration", values, joint), Fault::NotPositive(limits[joint])));
-    }
-    Ok(Some(limits))
-}
-
-fn positive(key: &str, number: Number) -> Result<f64, LabError> {
+pub(crate) fn positive(key: &str, number: Number) -> Result<f64, LabError> {
     if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
 }
 

@@ -175,11 +175,17 @@ pub(crate) fn sample<const N: usize>(
         joints: N,
         speed_lower: problem.speed_limits.lower().to_vec(),
         speed_upper: problem.speed_limits.upper().to_vec(),
-        acceleration: problem.acceleration_limits.map(|a| a.to_vec()),
+        acceleration: problem.everywhere_acceleration().map(|a| a.to_vec()),
         pieces: Vec::new(),
     };
     for (piece, intervals) in path.pieces().iter().zip(shares(problem, path, intervals)) {
         sampled.pieces.push(sample_piece(problem, piece, intervals, between)?);
+    }
+    if let Some(first) = sampled.pieces.first_mut() {
+        first.start = problem.start_rate;
+    }
+    if let Some(last) = sampled.pieces.last_mut() {
+        last.end = problem.end_rate;
     }
     Ok(sampled)
 }
@@ -188,7 +194,7 @@ pub(crate) fn sample<const N: usize>(
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn shares<const N: usize>(problem: &Problem<N>, path: &JointPath<N>, intervals: usize) -> Vec<usize> {
     let time = |piece: &Piece<N>| match piece.kind() {
-        PieceKind::Follow { q, .. } => {
+        PieceKind::Follow { q, .. } | PieceKind::Prescribed { q, .. } => {
             q.windows(2).map(|w| problem.speed_limits.ratio(&(w[1] - w[0]).into())).sum::<f64>()
         }
         PieceKind::SelfMotion { from, to, .. } => problem.speed_limits.ratio(&(to - from).into()),
@@ -210,7 +216,7 @@ fn sample_piece<const N: usize>(
     between: usize,
 ) -> Result<SampledPiece, LabError> {
     let grid = piece.grid(problem, intervals);
-    let sample = |s: f64| piece.at(problem, s).map(|point| path_sample(s, &point));
+    let sample = |s: f64| piece.at(problem, s).map(|point| path_sample(problem, s, &point));
     let nodes = grid.iter().map(|&s| sample(s)).collect::<Result<_, _>>()?;
     let inner = |w: &[f64]| {
         (1..=between)
@@ -227,13 +233,13 @@ fn sample_piece<const N: usize>(
     })
 }
 
-fn path_sample<const N: usize>(s: f64, point: &JointPoint<N>) -> PathSample {
+fn path_sample<const N: usize>(problem: &Problem<N>, s: f64, point: &JointPoint<N>) -> PathSample {
     PathSample {
         s,
         lambda: point.lambda,
         first: point.first.iter().copied().collect(),
         second: point.second.iter().copied().collect(),
-        limits: Vec::new(),
-        speeds: Vec::new(),
+        limits: problem.linear_limits(point),
+        speeds: problem.rate_limits(point),
     }
 }

@@ -1,11 +1,10 @@
 use crate::controller::Demand;
 use crate::error::LabError;
-use crate::law::{Decision, Law, Method};
-use crate::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
+use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
-use slideway_conditioner::{Saturation, bounds};
+use slideway_conditioner::{Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -21,8 +20,8 @@ pub(crate) fn simulate<const N: usize>(
     let mut run = Run::new(problem, method, fixed_rate)?;
     while run.t() < horizon && run.trace.samples.len() < MAX_SAMPLES && run.is_finite() {
         if run.trace.finish_s.is_none() {
-            run.follow();
-        } else if run.settle() {
+            run.follow()?;
+        } else if run.settle()? {
             break;
         }
     }
@@ -40,6 +39,8 @@ struct Run<'a, const N: usize> {
     euler: EulerAngles,
     /// The sample before: demand and factor, for the change of the desired speed.
     before: Option<(Demand<N>, f64, [f64; N])>,
+    /// Distance from the path's end at the sample before, while the robot settles there.
+    settling: Option<f64>,
     trace: Trace,
 }
 
@@ -59,6 +60,7 @@ impl<'a, const N: usize> Run<'a, N> {
             q: problem.start,
             euler: problem.start_euler,
             before: None,
+            settling: None,
             trace: Trace {
                 method,
                 joints: N,
@@ -81,14 +83,18 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 
     /// One sample of following the path.
-    fn follow(&mut self) {
+    fn follow(&mut self) -> Result<(), LabError> {
         let t = self.t();
         let remaining = self.problem.path.end() - self.lambda;
-        let most = remaining / self.period;
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
+        let here = Situation {
+            limits: self.problem.speed_limits_at(self.lambda)?,
+            tool_rate: self.problem.tool_rate_limit(self.lambda),
+            to_end: remaining / self.period,
+        };
         let law_before = self.law.clone();
-        let decision = self.law.step(self.problem, &demand, most);
-        self.record(t, &demand, &decision);
+        let decision = self.law.step(&demand, &here);
+        self.record(t, &demand, &decision, &here.limits);
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
         let span = self.problem.path.end() - self.problem.path.start();
@@ -100,19 +106,20 @@ impl<'a, const N: usize> Run<'a, N> {
         }
         self.q = match self.integration {
             Integration::Euler => self.q + JointVector::from(decision.command.joint_speed) * self.period,
-            Integration::Rk4 => self.rk4(&law_before, &decision),
+            Integration::Rk4 => self.rk4(&law_before, &decision, &here),
         };
         self.euler = demand.euler;
+        Ok(())
     }
 
     /// One Runge-Kutta step of the joint positions with the reference moving at its own rate.
-    fn rk4(&self, law: &Law<N>, first: &Decision<N>) -> JointVector<N> {
+    fn rk4(&self, law: &Law<N>, first: &Decision<N>, here: &Situation<N>) -> JointVector<N> {
         let (h, rate) = (self.period, first.advance_rate);
         let begin = self.lambda - if self.trace.finish_s.is_some() { 0.0 } else { rate * h };
         let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
             let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
             let demand = self.problem.demand(&q, &self.euler, lambda);
-            law.clone().step(self.problem, &demand, rate).command.joint_speed.into()
+            law.clone().step(&demand, &Situation { to_end: rate, ..*here }).command.joint_speed.into()
         };
         let k1 = JointVector::from(first.command.joint_speed);
         let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
@@ -122,19 +129,18 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 
     /// One sample of the robot catching up with a reference at its end; whether it has arrived.
-    fn settle(&mut self) -> bool {
+    fn settle(&mut self) -> Result<bool, LabError> {
         let t = self.t();
         let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
-        let distance = arrival_distance(&demand);
+        let distance = demand.distance;
         let desired: [f64; N] = demand.feedback.into();
-        let limits = &self.problem.speed_limits;
+        let limits = self.problem.speed_limits_at(self.lambda)?;
         let saturation =
             if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
         let mut joint_speed = limits.saturate(&desired, saturation).joint_speed;
         if self.trace.method == Method::Ideal {
             joint_speed = desired;
         }
-        let last = self.trace.samples.last().copied();
         self.trace.samples.push(Sample {
             t,
             lambda: self.lambda,
@@ -151,29 +157,28 @@ impl<'a, const N: usize> Run<'a, N> {
             chatter: None,
         });
         if distance <= 1.0 {
-            self.trace.arrival_s = Some(self.arrival_time(t, distance, last.as_ref()));
-            return true;
+            self.trace.arrival_s = Some(self.arrival_time(t, distance));
+            return Ok(true);
         }
+        self.settling = Some(distance);
         self.q += JointVector::from(joint_speed) * self.period;
         self.euler = demand.euler;
-        false
+        Ok(false)
     }
 
     /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
-    fn arrival_time(&self, t: f64, distance: f64, last: Option<&Sample>) -> f64 {
-        let finish = self.trace.finish_s.unwrap_or(t);
-        match last {
+    fn arrival_time(&self, t: f64, distance: f64) -> f64 {
+        match self.settling {
             // The sample before stood outside, with the reference already at its end.
-            Some(last) if last.path_rate == 0.0 => {
-                let before = error_distance(&last.error);
+            Some(before) => {
                 let fraction = if before > distance { (before - 1.0) / (before - distance) } else { 1.0 };
-                last.t + (t - last.t) * fraction.clamp(0.0, 1.0)
+                t - self.period + self.period * fraction.clamp(0.0, 1.0)
             }
-            _ => finish,
+            None => self.trace.finish_s.unwrap_or(t),
         }
     }
 
-    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>) {
+    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
         let command = &decision.command;
         let shortened = decision.advance_rate < command.path_rate;
         let chatter = match (&self.before, self.trace.method.is_regulated() && !shortened) {
@@ -188,7 +193,7 @@ impl<'a, const N: usize> Run<'a, N> {
             switch: command.switch,
             direction_factor: command.direction_factor,
             limit_ratio: command.limit_ratio,
-            limiting_joint: self.problem.speed_limits.limiting_joint(&decision.desired),
+            limiting_joint: limits.limiting_joint(&decision.desired),
             error: demand.error.into(),
             q: pad(&self.q),
             desired: pad(&decision.desired.into()),
@@ -224,16 +229,6 @@ impl<'a, const N: usize> Run<'a, N> {
         }
         chatter
     }
-}
-
-/// Distance of the tool from the reference in units of the arrival tolerances.
-fn arrival_distance<const N: usize>(demand: &Demand<N>) -> f64 {
-    error_distance(&demand.error.into())
-}
-
-fn error_distance(error: &[f64; 6]) -> f64 {
-    let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
-    (norm(&error[..3]) / ARRIVAL_POSITION).max(norm(&error[3..]) / ARRIVAL_ORIENTATION)
 }
 
 fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {

@@ -139,6 +139,12 @@ impl RobotDescription {
         self.joints.iter().map(|j| j.limits.velocity).collect()
     }
 
+    /// The torque limits of all joints, N·m (N), if every joint has one.
+    #[must_use]
+    pub fn effort_limits(&self) -> Option<Vec<f64>> {
+        self.joints.iter().map(|j| j.limits.effort).collect()
+    }
+
     /// Replaces the limits of a joint by name.
     ///
     /// # Errors

@@ -153,9 +153,10 @@ impl Scenario {
     /// The key of the path's first point, for errors about it.
     pub(crate) fn path_start_key(&self) -> &'static str {
         match self.file.path.position {
-            PositionTable::Helix { .. } => "path.position.helix.start",
-            PositionTable::Line { .. } => "path.position.line.from",
-            PositionTable::Formula { .. } => "path.position.formula",
+            Some(PositionTable::Helix { .. }) => "path.position.helix.start",
+            Some(PositionTable::Line { .. }) => "path.position.line.from",
+            Some(PositionTable::Formula { .. }) => "path.position.formula",
+            None => "path",
         }
     }
 

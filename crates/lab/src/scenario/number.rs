@@ -38,44 +38,83 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// One number for all joints, or a list with one number per joint.
+/// A limit: a finite number, or a formula in `lambda`.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum PerJoint {
-    All(f64),
-    Each(Vec<f64>),
+pub(crate) enum LimitNumber {
+    Constant(f64),
+    Formula(String),
+}
+
+struct LimitVisitor;
+
+impl Visitor<'_> for LimitVisitor {
+    type Value = LimitNumber;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a finite number, or a formula of `lambda` in quotes")
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<LimitNumber, E> {
+        NumberVisitor.visit_f64(value).map(|n| LimitNumber::Constant(n.0))
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<LimitNumber, E> {
+        NumberVisitor.visit_i64(value).map(|n| LimitNumber::Constant(n.0))
+    }
+
+    // A formula is parsed where its key is known.
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<LimitNumber, E> {
+        if formula::mentions_lambda(text) {
+            return Ok(LimitNumber::Formula(text.to_owned()));
+        }
+        NumberVisitor.visit_str(text).map(|n| LimitNumber::Constant(n.0))
+    }
+}
+
+impl<'de> Deserialize<'de> for LimitNumber {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LimitVisitor)
+    }
+}
+
+/// One limit for all joints, or a list with one per joint.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum PerJointLimit {
+    All(LimitNumber),
+    Each(Vec<LimitNumber>),
 }
 
 struct PerJointVisitor;
 
 impl<'de> Visitor<'de> for PerJointVisitor {
-    type Value = PerJoint;
+    type Value = PerJointLimit;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a finite number, or a list with one number per joint")
+        f.write_str("a finite number, a formula of `lambda` in quotes, or a list of them with one per joint")
     }
 
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<PerJoint, E> {
-        NumberVisitor.visit_f64(value).map(|n| PerJoint::All(n.0))
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<PerJointLimit, E> {
+        LimitVisitor.visit_f64(value).map(PerJointLimit::All)
     }
 
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<PerJoint, E> {
-        NumberVisitor.visit_i64(value).map(|n| PerJoint::All(n.0))
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<PerJointLimit, E> {
+        LimitVisitor.visit_i64(value).map(PerJointLimit::All)
     }
 
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<PerJoint, E> {
-        NumberVisitor.visit_str(text).map(|n| PerJoint::All(n.0))
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<PerJointLimit, E> {
+        LimitVisitor.visit_str(text).map(PerJointLimit::All)
     }
 
-    fn visit_seq<A: de::SeqAccess<'de>>(self, mut sequence: A) -> Result<PerJoint, A::Error> {
+    fn visit_seq<A: de::SeqAccess<'de>>(self, mut sequence: A) -> Result<PerJointLimit, A::Error> {
         let mut values = Vec::new();
-        while let Some(Number(value)) = sequence.next_element()? {
+        while let Some(value) = sequence.next_element()? {
             values.push(value);
         }
-        Ok(PerJoint::Each(values))
+        Ok(PerJointLimit::Each(values))
     }
 }
 
-impl<'de> Deserialize<'de> for PerJoint {
+impl<'de> Deserialize<'de> for PerJointLimit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(PerJointVisitor)
     }

@@ -1,6 +1,6 @@
 //! The scenario file as it is written: plain tables, no meaning checked beyond shape.
 
-use super::number::{Number, PerJoint};
+use super::number::{Number, PerJointLimit};
 use serde::Deserialize;
 
 /// A whole scenario file.
@@ -33,7 +33,7 @@ pub(crate) struct RobotTable {
     pub(crate) tip: Option<String>,
     #[serde(default)]
     pub(crate) task: TaskName,
-    pub(crate) inverse: InverseTable,
+    pub(crate) inverse: Option<InverseTable>,
 }
 
 /// Built-in arms, named as on the command line.
@@ -121,7 +121,8 @@ pub(crate) struct PathTable {
     #[serde(default)]
     pub(crate) start: Number,
     pub(crate) end: Number,
-    pub(crate) position: PositionTable,
+    pub(crate) position: Option<PositionTable>,
+    pub(crate) joints: Option<JointsTable>,
     pub(crate) orientation: Option<OrientationTable>,
 }
 
@@ -131,6 +132,13 @@ pub(crate) enum PositionTable {
     Helix { start: [Number; 3], radius: Number, climb: Number },
     Line { from: [Number; 3], to: [Number; 3] },
     Formula { x: String, y: String, z: String },
+}
+
+/// A path of the joints.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum JointsTable {
+    Line { from: Vec<Number>, to: Vec<Number> },
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -151,9 +159,43 @@ pub(crate) struct KnotTable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LimitsTable {
-    pub(crate) speed: Option<PerJoint>,
-    pub(crate) speed_lower: Option<PerJoint>,
-    pub(crate) acceleration: Option<PerJoint>,
+    pub(crate) speed: Option<PerJointLimit>,
+    pub(crate) speed_lower: Option<PerJointLimit>,
+    pub(crate) acceleration: Option<PerJointLimit>,
+    pub(crate) acceleration_lower: Option<PerJointLimit>,
+    pub(crate) torque: Option<TorqueTable>,
+    pub(crate) torque_lower: Option<PerJointLimit>,
+    #[serde(default)]
+    pub(crate) drive_effects: Vec<DriveEffectName>,
+    pub(crate) tool_speed: Option<Number>,
+    pub(crate) tool_acceleration: Option<Number>,
+    pub(crate) start_rate: Option<Number>,
+    pub(crate) end_rate: Option<Number>,
+}
+
+/// Torque limits: the robot's own, or as given.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "\"robot\", a finite number, a formula of `lambda` in quotes, or a list with one per joint"
+)]
+pub(crate) enum TorqueTable {
+    Own(OwnName),
+    Given(PerJointLimit),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum OwnName {
+    Robot,
+}
+
+/// What a robot's drives add to its rigid body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum DriveEffectName {
+    RotorInertia,
+    Friction,
 }
 
 #[derive(Clone, Debug, Deserialize)]
