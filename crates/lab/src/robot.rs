@@ -7,11 +7,11 @@ use slideway_robot::{ChainEnds, DhRow, RobotDescription};
 /// Most joints an arm may have.
 pub const MAX_JOINTS: usize = 7;
 
-/// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints.
+/// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints after locking some.
 pub(crate) fn describe(scenario: &Scenario) -> Result<RobotDescription, LabError> {
     let table = &scenario.file.robot;
     check_one_source(table)?;
-    let robot = match (table.model, &table.dh, &table.urdf) {
+    let mut robot = match (table.model, &table.dh, &table.urdf) {
         (Some(name), _, _) => model(name).describe().map_err(|error| LabError::value("robot.model", error))?,
         (None, Some(rows), _) => RobotDescription::from_dh("robot", &rows.iter().map(dh_row).collect::<Vec<_>>()),
         (None, None, Some(file)) => from_urdf(scenario, file)?,
@@ -20,6 +20,10 @@ pub(crate) fn describe(scenario: &Scenario) -> Result<RobotDescription, LabError
             return Err(LabError::value("robot", missing));
         }
     };
+    for (joint, position) in &table.locked {
+        let locked = robot.locked(joint, position.0);
+        robot = locked.map_err(|error| LabError::value(format!("robot.locked.{joint}"), error))?;
+    }
     if (1..=MAX_JOINTS).contains(&robot.joint_count()) {
         Ok(robot)
     } else {

@@ -1,4 +1,4 @@
-use crate::CartesianPath;
+use crate::{CartesianPath, PathPoint};
 use nalgebra::{Rotation3, Translation3, Vector3};
 use slideway_robot::augmented::PathTangent;
 use slideway_robot::{Pose, Twist};
@@ -50,30 +50,8 @@ impl ParametrisedPath for Circle {
 }
 
 impl ParametrisedPath for CartesianPath {
-    /// Euler rates become an angular velocity `ω = α' z + β' y' + γ' x''` with the axes they turn about,
-    /// `y' = Rz(α) y` and `x'' = Rz(α) Ry(β) x`; its derivative has their turning in it, `z × y' α'` and
-    /// `(α' z + β' y') × x''`.
     fn at(&self, parameter: f64) -> PathState {
-        let point = CartesianPath::at(self, parameter);
-        let [x, y, z, alpha, beta, gamma] = point.coordinates.into();
-        let rotation = Rotation3::from_euler_angles(gamma, beta, alpha);
-        let first = Vector3::z();
-        let second = Rotation3::from_axis_angle(&Vector3::z_axis(), alpha) * Vector3::y();
-        let third = rotation * Vector3::x();
-        let (rate, rate2) = (point.first.fixed_rows::<3>(3), point.second.fixed_rows::<3>(3));
-        let angular = first * rate[0] + second * rate[1] + third * rate[2];
-        let carried = first * rate[0] + second * rate[1];
-        let slope = first * rate2[0]
-            + second * rate2[1]
-            + third * rate2[2]
-            + first.cross(&second) * (rate[0] * rate[1])
-            + carried.cross(&third) * rate[2];
-        PathState {
-            pose: Pose::from_parts(Translation3::new(x, y, z), rotation),
-            tangent: PathTangent {
-                twist: Twist::new(point.first[0], point.first[1], point.first[2], angular.x, angular.y, angular.z),
-                slope: Twist::new(point.second[0], point.second[1], point.second[2], slope.x, slope.y, slope.z),
-            },
-        }
+        let PathPoint { pose, twist, acceleration, .. } = CartesianPath::at(self, parameter);
+        PathState { pose, tangent: PathTangent { twist, slope: acceleration } }
     }
 }

@@ -45,10 +45,12 @@ pub fn scenario_kind(text: &str) -> ScenarioKind {
 }
 
 /// The built-in scenarios, tutorial first.
-pub const BUILT_IN: [BuiltIn; 7] = [
+pub const BUILT_IN: [BuiltIn; 9] = [
     BuiltIn { name: "puma-helix", text: include_str!("../../scenarios/puma-helix.toml") },
     BuiltIn { name: "puma-helix-on-path", text: include_str!("../../scenarios/puma-helix-on-path.toml") },
     BuiltIn { name: "puma-wrist-singularity", text: include_str!("../../scenarios/puma-wrist-singularity.toml") },
+    BuiltIn { name: "natural-2r", text: include_str!("../../scenarios/natural-2r.toml") },
+    BuiltIn { name: "natural-pa10", text: include_str!("../../scenarios/natural-pa10.toml") },
     BuiltIn { name: "helix-plane-sphere", text: include_str!("../../scenarios/helix-plane-sphere.toml") },
     BuiltIn { name: "trap-ellipsoid", text: include_str!("../../scenarios/trap-ellipsoid.toml") },
     BuiltIn { name: "trap-two-ellipsoids", text: include_str!("../../scenarios/trap-two-ellipsoids.toml") },
