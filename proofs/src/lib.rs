@@ -27,6 +27,7 @@ pub mod frozen_band;
 pub mod implicit_band;
 pub mod nan_brakes;
 pub mod natural_speed;
+pub mod never_slower;
 pub mod null_vector;
 pub mod path_band;
 pub mod path_band_appendix;
@@ -62,4 +63,5 @@ pub const CLAIMS: &[Claim] = &[
     natural_speed::CLAIM,
     energy_and_power::CLAIM,
     finite_through_singularity::CLAIM,
+    never_slower::CLAIM,
 ];

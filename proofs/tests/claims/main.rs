@@ -14,6 +14,7 @@ mod ledger;
 mod nan_brakes;
 mod natural_speed;
 mod natural_support;
+mod never_slower;
 mod null_vector;
 mod path_band;
 mod path_band_appendix;
