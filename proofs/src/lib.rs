@@ -1,4 +1,4 @@
-//! What is claimed about the conditioners, and the machine-checked form of each claim.
+//! What is claimed about the conditioners and about natural motion, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -13,6 +13,7 @@
 //! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`
 //! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
 //! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
+//! In natural motion: `J` Jacobian, `t*` twist of the tool at unit path speed `q̇*`, `n̄` null vector, `b` its coefficient.
 
 pub mod acceleration_box;
 pub mod acceleration_factor;
@@ -22,11 +23,16 @@ mod claim;
 pub mod command_within_limits;
 pub mod delayed_band;
 pub mod drifting_band;
+pub mod energy_and_power;
 pub mod factor_range;
+pub mod finite_through_singularity;
 pub mod frozen_band;
 pub mod implicit_band;
 pub mod look_ahead_tail;
 pub mod nan_brakes;
+pub mod natural_speed;
+pub mod never_slower;
+pub mod null_vector;
 pub mod path_band;
 pub mod path_band_appendix;
 pub mod path_equivalence;
@@ -61,4 +67,9 @@ pub const CLAIMS: &[Claim] = &[
     acceleration_factor::CLAIM,
     acceleration_recovery::CLAIM,
     look_ahead_tail::CLAIM,
+    null_vector::CLAIM,
+    natural_speed::CLAIM,
+    energy_and_power::CLAIM,
+    finite_through_singularity::CLAIM,
+    never_slower::CLAIM,
 ];

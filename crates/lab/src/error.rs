@@ -44,6 +44,12 @@ pub enum LabError {
         /// Largest joint change of the best continuation found, rad.
         jump: f64,
     },
+    /// No finite joint speed follows the path as asked.
+    #[error("no finite joint speed follows the path as asked at path parameter {at:.6}")]
+    NoFiniteSpeed {
+        /// Path parameter where it ends.
+        at: f64,
+    },
     /// The path leaves the robot's reach.
     #[error("the path leaves the robot's reach at path parameter {at:.6}: {source}")]
     LeavesReach {
@@ -246,6 +252,10 @@ impl LabError {
             Self::Value { fault, .. } => fault.remedy(),
             Self::BrokenPath { .. } => {
                 "start from another branch of the inverse kinematics (`start.branch`), or change the path there".into()
+            }
+            Self::NoFiniteSpeed { .. } => {
+                "run singularities by natural motion, which stands still there, or start where the path is regular"
+                    .into()
             }
             Self::LeavesReach { .. } => "shorten the path, or move it closer to the robot".into(),
         }

@@ -27,6 +27,7 @@ mod limit_reader;
 mod limit_use;
 mod limits;
 mod metrics;
+pub mod natural;
 mod orientation;
 mod path;
 mod path_window;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// Most joints an arm may have.
 pub const MAX_JOINTS: usize = 7;
 
-/// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints.
+/// The robot of a scenario: built in, a DH table, or a URDF file; with 1 to [`MAX_JOINTS`] joints after locking some.
 pub(crate) fn describe(scenario: &Scenario) -> Result<RobotDescription, LabError> {
     describe_table(&scenario.file.robot, scenario.folder())
 }
@@ -33,7 +33,7 @@ pub fn robot_in(text: &str, folder: &Path) -> Result<RobotDescription, LabError>
 
 fn describe_table(table: &RobotTable, folder: &Path) -> Result<RobotDescription, LabError> {
     check_one_source(table)?;
-    let robot = match (table.model, &table.dh, &table.urdf) {
+    let mut robot = match (table.model, &table.dh, &table.urdf) {
         (Some(name), _, _) => model(name).describe().map_err(|error| LabError::value("robot.model", error))?,
         (None, Some(rows), _) => RobotDescription::from_dh("robot", &rows.iter().map(dh_row).collect::<Vec<_>>()),
         (None, None, Some(file)) => from_urdf(table, folder.join(file))?,
@@ -42,6 +42,10 @@ fn describe_table(table: &RobotTable, folder: &Path) -> Result<RobotDescription,
             return Err(LabError::value("robot", missing));
         }
     };
+    for (joint, position) in &table.locked {
+        let locked = robot.locked(joint, position.0);
+        robot = locked.map_err(|error| LabError::value(format!("robot.locked.{joint}"), error))?;
+    }
     if (1..=MAX_JOINTS).contains(&robot.joint_count()) {
         Ok(robot)
     } else {

@@ -25,7 +25,7 @@ pub struct Joint {
 
 impl Joint {
     /// The transform that the joint's motion adds.
-    fn motion(&self, q: f64) -> Pose {
+    pub(crate) fn motion(&self, q: f64) -> Pose {
         let q = q + self.offset;
         match self.kind {
             JointKind::Revolute => {

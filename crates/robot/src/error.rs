@@ -85,6 +85,14 @@ pub enum RobotError {
         /// The joints there are.
         known: Vec<String>,
     },
+    /// A joint to be locked where it cannot go.
+    #[error("joint `{joint}` cannot be locked at {position}: its range ends before")]
+    LockedOutsideLimits {
+        /// The joint.
+        joint: String,
+        /// Where it was to be locked, rad or m.
+        position: f64,
+    },
     /// A range of positions whose lower end lies above its upper end.
     #[error("joint `{joint}`: the lower limit {lower} lies above the upper limit {upper}")]
     InvertedLimits {
@@ -118,6 +126,7 @@ impl RobotError {
             Self::OutOfReach { .. } => "move the pose into the arm's reach".into(),
             Self::JointCount { .. } => "use an arm with as many joints as asked for".into(),
             Self::UnknownJoint { known, .. } => format!("the joints are {}", known.join(", ")),
+            Self::LockedOutsideLimits { .. } => "lock the joint within its range".into(),
             Self::InvertedLimits { .. } => "exchange `lower` and `upper`".into(),
             Self::LimitNotPositive { .. } => "give a number greater than zero, or leave it out for no limit".into(),
             Self::Dynamics(DynamicsError::SingularMass) => "give every link a mass, or include rotor inertia".into(),

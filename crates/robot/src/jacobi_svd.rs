@@ -1,4 +1,3 @@
-use crate::Jacobian;
 use nalgebra::SMatrix;
 
 /// Singular value decomposition of a Jacobian by one-sided Jacobi rotations.
@@ -7,9 +6,9 @@ use nalgebra::SMatrix;
 /// allocation, any rank. (nalgebra's `svd` was tried first: on random 6×6 matrices about one in 50,000 came back with
 /// factors whose product misses the matrix in the second digit.)
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JacobiSvd<const N: usize> {
+pub struct JacobiSvd<const N: usize, const ROWS: usize = 6> {
     /// Columns `σ_k u_k`, mutually orthogonal, in no particular order.
-    pub scaled: Jacobian<N>,
+    pub scaled: SMatrix<f64, ROWS, N>,
     /// Orthogonal matrix `V` with columns `v_k`.
     pub v: SMatrix<f64, N, N>,
 }
@@ -20,10 +19,10 @@ const ORTHOGONAL: f64 = 1e-15;
 /// Convergence is quadratic; ten sweeps are ample for seven columns, the rest guards against rounding cycles.
 const MAX_SWEEPS: usize = 40;
 
-impl<const N: usize> JacobiSvd<N> {
-    /// Decomposes a Jacobian. `None` if an entry is not finite.
+impl<const N: usize, const ROWS: usize> JacobiSvd<N, ROWS> {
+    /// Decomposes a Jacobian (six rows) or any other small matrix. `None` if an entry is not finite.
     #[must_use]
-    pub fn new(jacobian: &Jacobian<N>) -> Option<Self> {
+    pub fn new(jacobian: &SMatrix<f64, ROWS, N>) -> Option<Self> {
         if !jacobian.iter().all(|x| x.is_finite()) {
             return None;
         }
@@ -60,7 +59,7 @@ impl<const N: usize> JacobiSvd<N> {
         let t = zeta.signum() / (zeta.abs() + zeta.hypot(1.0));
         let c = 1.0 / t.hypot(1.0);
         let s = c * t;
-        for i in 0..6 {
+        for i in 0..ROWS {
             let (x, y) = (self.scaled[(i, p)], self.scaled[(i, q)]);
             (self.scaled[(i, p)], self.scaled[(i, q)]) = (c * x - s * y, s * x + c * y);
         }

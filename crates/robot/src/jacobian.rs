@@ -28,35 +28,42 @@ impl<const N: usize> SerialArm<N> {
     }
 
     /// The part of the tool's acceleration that is there without joint acceleration: `J̇ q̇`, m/s² and rad/s².
+    #[must_use]
+    pub fn bias_acceleration(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Twist {
+        self.jacobian_rate(q, qd) * qd
+    }
+
+    /// How the Jacobian changes while the joints move: `J̇`, the derivative of [`SerialArm::jacobian`] along `q̇`.
     ///
     /// Differentiates each column: `ż = ω × z` with the angular velocity `ω` of the link before the joint, and
     /// `d/dt [z × (p - o)] = ż × (p - o) + z × (ṗ - ȯ)`.
     #[must_use]
-    pub fn bias_acceleration(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Twist {
+    pub fn jacobian_rate(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Jacobian<N> {
         let frames = self.frames(q);
         let tip = frames.tool.translation.vector;
         let tip_velocity: Vector3<f64> = (self.jacobian_at(&frames) * qd).fixed_rows::<3>(0).into_owned();
-        let (mut linear, mut angular) = (Vector3::zeros(), Vector3::zeros());
+        let mut rate = Jacobian::<N>::zeros();
         // Angular velocity of the link before joint i, and velocity of that joint's origin.
         let (mut omega, mut origin_velocity) = (Vector3::zeros(), Vector3::zeros());
         for (i, joint) in self.joints().iter().enumerate() {
             let (z, o) = (frames.axes[i], frames.origins[i]);
             let z_rate = omega.cross(&z);
-            match joint.kind {
+            let (linear, angular) = match joint.kind {
                 JointKind::Revolute => {
-                    linear += (z_rate.cross(&(tip - o)) + z.cross(&(tip_velocity - origin_velocity))) * qd[i];
-                    angular += z_rate * qd[i];
                     omega += z * qd[i];
+                    (z_rate.cross(&(tip - o)) + z.cross(&(tip_velocity - origin_velocity)), z_rate)
                 }
                 JointKind::Prismatic => {
-                    linear += z_rate * qd[i];
                     origin_velocity += z * qd[i];
+                    (z_rate, Vector3::zeros())
                 }
-            }
+            };
+            rate.fixed_view_mut::<3, 1>(0, i).copy_from(&linear);
+            rate.fixed_view_mut::<3, 1>(3, i).copy_from(&angular);
             if let Some(next) = frames.origins.get(i + 1) {
                 origin_velocity += omega.cross(&(next - o));
             }
         }
-        Twist::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
+        rate
     }
 }

@@ -12,6 +12,7 @@
 //! ```
 
 mod arm;
+pub mod augmented;
 mod description;
 mod dh;
 mod dynamics;
@@ -20,6 +21,7 @@ pub mod euler;
 mod inverse;
 mod jacobi_svd;
 mod jacobian;
+mod lock;
 mod manipulability;
 pub mod models;
 mod numeric_ik;

@@ -46,12 +46,14 @@ pub fn scenario_kind(text: &str) -> ScenarioKind {
 }
 
 /// The built-in scenarios, tutorial first.
-pub const BUILT_IN: [BuiltIn; 9] = [
+pub const BUILT_IN: [BuiltIn; 11] = [
     BuiltIn { name: "puma-helix", text: include_str!("../../scenarios/puma-helix.toml") },
     BuiltIn { name: "puma-helix-on-path", text: include_str!("../../scenarios/puma-helix-on-path.toml") },
     BuiltIn { name: "puma-wrist-singularity", text: include_str!("../../scenarios/puma-wrist-singularity.toml") },
     BuiltIn { name: "puma-helix-acceleration", text: include_str!("../../scenarios/puma-helix-acceleration.toml") },
     BuiltIn { name: "planar-bend", text: include_str!("../../scenarios/planar-bend.toml") },
+    BuiltIn { name: "natural-2r", text: include_str!("../../scenarios/natural-2r.toml") },
+    BuiltIn { name: "natural-pa10", text: include_str!("../../scenarios/natural-pa10.toml") },
     BuiltIn { name: "helix-plane-sphere", text: include_str!("../../scenarios/helix-plane-sphere.toml") },
     BuiltIn { name: "trap-ellipsoid", text: include_str!("../../scenarios/trap-ellipsoid.toml") },
     BuiltIn { name: "trap-two-ellipsoids", text: include_str!("../../scenarios/trap-two-ellipsoids.toml") },
@@ -177,7 +179,7 @@ pub fn locate(text: &str, error: &LabError) -> Option<Range<usize>> {
     match error {
         LabError::Syntax { span, .. } => span.clone(),
         LabError::Value { key, .. } => locate_key(text, key),
-        LabError::LeavesReach { .. } => locate_key(text, "path.end"),
+        LabError::LeavesReach { .. } | LabError::NoFiniteSpeed { .. } => locate_key(text, "path.end"),
         LabError::BrokenPath { .. } => locate_key(text, "path.position"),
         LabError::Read { .. } => None,
     }

@@ -3,6 +3,7 @@
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 /// A whole scenario file.
 #[derive(Clone, Debug, Deserialize)]
@@ -32,6 +33,8 @@ pub(crate) struct RobotTable {
     pub(crate) urdf: Option<String>,
     pub(crate) base: Option<String>,
     pub(crate) tip: Option<String>,
+    #[serde(default)]
+    pub(crate) locked: BTreeMap<String, Number>,
     #[serde(default)]
     pub(crate) task: TaskName,
     pub(crate) inverse: Option<InverseTable>,

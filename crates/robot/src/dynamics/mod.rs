@@ -8,6 +8,7 @@ mod energy;
 mod error;
 mod link;
 mod mass_matrix;
+mod model_error;
 mod newton_euler;
 
 pub use drive::{Drive, DriveEffects, Friction};

@@ -1,0 +1,17 @@
+; Claim finite-through-singularity, the other half: at such a place no joint speed v moves the tool along the path at all.
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const d Real)
+(declare-const t1 Real)
+(declare-const t2 Real)
+(declare-const v1 Real)
+(declare-const v2 Real)
+(declare-const s Real) ; path speed
+(assert (= (* a d) (* b c)))
+(assert (not (and (= (* a t2) (* c t1)) (= (* b t2) (* d t1)))))
+(assert (not (= s 0.0)))
+(assert (= (+ (* a v1) (* b v2)) (* t1 s)))
+(assert (= (+ (* c v1) (* d v2)) (* t2 s)))
+(check-sat)

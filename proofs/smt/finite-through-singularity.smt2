@@ -1,0 +1,20 @@
+; Claim finite-through-singularity, two joints: entries of J and t in [-1, 1], J singular, [J, -t] of rank two. The null
+; vector is not zero, no entry of it exceeds 2, and its path speed is zero.
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const d Real)
+(declare-const t1 Real)
+(declare-const t2 Real)
+(define-fun n1 () Real (- (* d t1) (* b t2)))
+(define-fun n2 () Real (- (* a t2) (* c t1)))
+(define-fun det () Real (- (* a d) (* b c)))
+(assert (and (<= (- 1.0) a 1.0) (<= (- 1.0) b 1.0) (<= (- 1.0) c 1.0) (<= (- 1.0) d 1.0)))
+(assert (and (<= (- 1.0) t1 1.0) (<= (- 1.0) t2 1.0)))
+(assert (= det 0.0))
+; Rank two: one of the other two minors is not zero.
+(assert (not (and (= (* a t2) (* c t1)) (= (* b t2) (* d t1)))))
+(assert (not (and (or (not (= n1 0.0)) (not (= n2 0.0)))
+                  (<= (- 2.0) n1 2.0) (<= (- 2.0) n2 2.0))))
+(check-sat)

@@ -1,0 +1,11 @@
+; Claim natural-speed at two places: with one b the path speeds are as the determinants.
+(set-logic QF_NRA)
+(declare-const k1 Real)
+(declare-const k2 Real)
+(declare-const det1 Real)
+(declare-const det2 Real)
+(define-fun s1 () Real (* k1 det1))
+(define-fun s2 () Real (* k2 det2))
+(assert (= k1 k2))
+(assert (not (= (* s1 det2) (* s2 det1))))
+(check-sat)
