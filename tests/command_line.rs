@@ -167,7 +167,7 @@ fn under_acceleration_limits_the_look_ahead_is_judged_by_the_optimum_under_the_s
     let ratio = summary["verdict"]["ratio"].as_f64().expect("ratio");
     // Slower than the optimum: the plan keeps 5 % of the acceleration limits in reserve (2.5 % of the time where they bind),
     // and the filter takes its time to rise.
-    assert!(ratio >= 1.0 && ratio < 1.1, "{ratio}");
+    assert!((1.0..1.1).contains(&ratio), "{ratio}");
     let windows = summary["look_ahead"].as_array().expect("windows");
     assert!(windows.len() > 2 && windows.iter().all(|w| w["samples_off_path"] == 0));
     assert!(folder.path().join("out/planar/figures/look-ahead.svg").exists());
