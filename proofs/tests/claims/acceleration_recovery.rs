@@ -28,8 +28,9 @@ fn regulator(speed: f64, limits: [f64; 2], recovery: Recovery) -> Result<Acceler
 fn passes_the_reference(deceleration: f64, p: f64) -> Outcome {
     let regulator = regulator(1.0, [deceleration, 1.0], Recovery::AsDemanded)?;
     let mut state = AccelerationState::moving(0.0, [p], &SpeedLimits::symmetric([1.0])?)?;
-    let error = p * TS - TS * p;
-    let command = regulator.step(&mut state, &AffineSpeed { feedback: [error / TS], feedforward: [0.0] });
+    // e_before = p / Kp = Ts p, all of which the previous command covers.
+    let error = 0.0;
+    let command = regulator.step(&mut state, &AffineSpeed { feedback: [error], feedforward: [0.0] });
     assert!(error - TS * command.joint_speed[0] < -2e-4, "{command:?}");
     Ok(())
 }
