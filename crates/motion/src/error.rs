@@ -1,3 +1,4 @@
+use crate::tool::ToolFault;
 use crate::{Interpolation, LimitKind};
 use slideway_robot::RobotError;
 use thiserror::Error;
@@ -37,6 +38,9 @@ pub enum MotionError {
         /// Joint, counted from 0.
         joint: usize,
     },
+    /// A pose with a number that is NaN or infinite.
+    #[error("the pose holds a number that is not finite")]
+    PoseNotFinite,
     /// A motion that would come closer to a stop than the margin allows.
     #[error("joint {}: the motion reaches {position:.6}, beyond {limit:.6}", joint + 1)]
     JointStop {
@@ -134,7 +138,24 @@ pub enum MotionError {
         /// What was given, s.
         period: f64,
     },
-    /// The inverse kinematics failed.
+    /// The tool cannot follow its line.
+    #[error(
+        "the tool cannot follow its line at {:.1} % of it, ({:.4}, {:.4}, {:.4}) m: {cause}",
+        100.0 * share, place[0], place[1], place[2]
+    )]
+    Tool {
+        /// Where along the line, from 0 to 1.
+        share: f64,
+        /// Position of the tool there, m, base frame.
+        place: [f64; 3],
+        /// Why.
+        #[source]
+        cause: Box<ToolFault>,
+    },
+    /// A Cartesian command to a queue that knows no arm.
+    #[error("the queue was made without the kinematics of a tool")]
+    NoTool,
+    /// An arm that does not fit its task.
     #[error(transparent)]
     Kinematics(#[from] RobotError),
 }
@@ -148,7 +169,7 @@ impl MotionError {
                 "give a number in the range named"
             }
             Self::Margin { .. } => "lower the margin, or widen the range of the joint",
-            Self::NotFinite { .. } => "look for the NaN where the command was computed",
+            Self::NotFinite { .. } | Self::PoseNotFinite => "look for the NaN where the command was computed",
             Self::JointStop { .. } => "move the target inwards, or go there from rest",
             Self::EndSpeed { .. } | Self::LimitExceeded { .. } => "plan the motion more slowly, or raise the limit",
             Self::NeedsRest { .. } => "stop first, or interrupt with a trapezoid, a cubic or bounded jerk",
@@ -160,7 +181,9 @@ impl MotionError {
             Self::Cyclic => "stop at the next way-point, then append",
             Self::NotEditable { .. } => "edit a later Go-To segment, or interrupt the motion",
             Self::RateChanging => "try again when the rate has settled",
-            Self::Kinematics(_) => "move the target into the arm's reach",
+            Self::Tool { .. } => "move the line away from the place named, or go round it by joint motions",
+            Self::NoTool => "make the queue with the kinematics of its tool",
+            Self::Kinematics(_) => "use a task that the arm has joints for",
         }
     }
 }

@@ -65,9 +65,11 @@ impl Interpolation {
                     TrapezoidEnds { start: start.q[i], start_velocity: 0.0, goal: target[i], goal_velocity: 0.0 };
                 Profile::Cubics(trapezoid(&ends, &limits[i]))
             }))),
-            Self::BoundedJerk if start.is_at_rest() => Ok(JointMotion::stretched_to_slowest(std::array::from_fn(|i| {
-                Profile::Cubics(bounded_jerk(start.q[i], target[i], &limits[i]))
-            }))),
+            Self::BoundedJerk if start.is_at_rest() => {
+                Ok(JointMotion::stretched_to_slowest(std::array::from_fn(|i| {
+                    Profile::Cubics(bounded_jerk(start.q[i], target[i], &limits[i]))
+                })))
+            }
             Self::Trapezoid => Ok(JointMotion::new(planner.plan(start, &goal, limits, Ramp::AccelerationLimited)?)),
             Self::BoundedJerk => Ok(JointMotion::new(planner.plan(start, &goal, limits, Ramp::JerkLimited)?)),
         }

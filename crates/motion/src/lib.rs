@@ -15,6 +15,8 @@ pub mod profile;
 pub mod queue;
 mod range;
 mod state;
+pub mod supervisor;
+pub mod tool;
 mod way_points;
 
 pub use error::{Continuity, MotionError};

@@ -16,11 +16,9 @@ impl AxisLimits {
     ///
     /// [`MotionError::LimitNotPositive`] with the first limit refused.
     pub fn new(velocity: f64, acceleration: f64, jerk: f64) -> Result<Self, MotionError> {
-        for (quantity, value) in [
-            (LimitKind::Velocity, velocity),
-            (LimitKind::Acceleration, acceleration),
-            (LimitKind::Jerk, jerk),
-        ] {
+        for (quantity, value) in
+            [(LimitKind::Velocity, velocity), (LimitKind::Acceleration, acceleration), (LimitKind::Jerk, jerk)]
+        {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(MotionError::LimitNotPositive { quantity, value });
             }

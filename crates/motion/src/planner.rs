@@ -52,7 +52,8 @@ impl<const N: usize> MotionPlanner<N> {
         let sections = self.trajectory.get_profiles();
         let section = sections.first().ok_or(MotionError::NoProfile)?;
         let motions: [Cubics; N] = std::array::from_fn(|i| from_generator(&start.axis(i), &section[i], ramp));
-        let sound = motions.iter().enumerate().all(|(i, m)| is_sound(m, &start.axis(i), &goal.axis(i), &limits[i], ramp));
+        let sound =
+            motions.iter().enumerate().all(|(i, m)| is_sound(m, &start.axis(i), &goal.axis(i), &limits[i], ramp));
         if sound { Ok(motions.map(Profile::Cubics)) } else { Err(MotionError::NoProfile) }
     }
 
@@ -94,12 +95,13 @@ fn is_sound(motion: &Cubics, start: &AxisState, goal: &AxisState, limits: &AxisL
     let within = |peak: f64, from: f64, limit: f64| peak <= limit.max(from) * (1.0 + LIMIT_TOLERANCE) + LIMIT_TOLERANCE;
     arrives
         && within(peaks.velocity.magnitude(), start.velocity.abs(), limits.velocity())
-        && (ramp == Ramp::AccelerationLimited
-            || within(peaks.jerk.magnitude(), 0.0, limits.jerk()))
+        && (ramp == Ramp::AccelerationLimited || within(peaks.jerk.magnitude(), 0.0, limits.jerk()))
         && match ramp {
             Ramp::AccelerationLimited => {
                 motion.phases().iter().all(|p| within(p.start.acceleration.abs(), 0.0, limits.acceleration()))
             }
-            Ramp::JerkLimited => within(peaks.acceleration.magnitude(), start.acceleration.abs(), limits.acceleration()),
+            Ramp::JerkLimited => {
+                within(peaks.acceleration.magnitude(), start.acceleration.abs(), limits.acceleration())
+            }
         }
 }

@@ -24,7 +24,9 @@ impl WayPointRule {
         }
         let slopes: Vec<f64> = points.windows(2).zip(durations).map(|(p, d)| (p[1] - p[0]) / d).collect();
         let inner = match self {
-            Self::MeanSlope => slopes.windows(2).map(|s| if s[0] * s[1] > 0.0 { 0.5 * (s[0] + s[1]) } else { 0.0 }).collect(),
+            Self::MeanSlope => {
+                slopes.windows(2).map(|s| if s[0] * s[1] > 0.0 { 0.5 * (s[0] + s[1]) } else { 0.0 }).collect()
+            }
             Self::Spline => spline(&slopes, durations),
         };
         let mut velocities = vec![0.0];
@@ -78,7 +80,8 @@ pub fn path_through<const N: usize>(
     limits: &MotionLimits<N>,
 ) -> Result<Vec<JointMotion<N>>, MotionError> {
     let axes = limits.axes();
-    let needed = |p: &[JointVector<N>]| (0..N).map(|i| (p[1][i] - p[0][i]).abs() / axes[i].velocity()).fold(0.0, f64::max);
+    let needed =
+        |p: &[JointVector<N>]| (0..N).map(|i| (p[1][i] - p[0][i]).abs() / axes[i].velocity()).fold(0.0, f64::max);
     let durations: Vec<f64> = points.windows(2).map(needed).collect();
     let path = cubics_through(points, &durations, rule)?;
     let mut stretch = 1.0_f64;

@@ -113,7 +113,11 @@ fn assert_step(limits: &MotionLimits<N>, before: &JointState<N>, after: &JointSt
         assert!((b.velocity - a.velocity).abs() <= a_max * dt + small, "{}", says("velocity jumps"));
         assert!(b.acceleration.abs() <= a_max * (1.0 + 1e-9) + small, "{}", says("too much acceleration"));
         let straight = a.position + a.velocity * dt;
-        assert!((b.position - straight).abs() <= 0.5 * a_max * dt * dt + small, "{}", says("position leaves its speed"));
+        assert!(
+            (b.position - straight).abs() <= 0.5 * a_max * dt * dt + small,
+            "{}",
+            says("position leaves its speed")
+        );
         if ramp == Some(Ramp::JerkLimited) {
             assert!((b.acceleration - a.acceleration).abs() <= j_max * dt + small, "{}", says("acceleration jumps"));
             let straight = a.velocity + a.acceleration * dt;

@@ -131,8 +131,7 @@ fn switches(motion: &Cubics) -> Vec<f64> {
 #[test]
 fn trapezoids_from_rest_to_rest_agree() {
     for row in reference().trapezoid_rest {
-        let ends =
-            TrapezoidEnds { start: row.theta_s, start_velocity: 0.0, goal: row.theta_g, goal_velocity: 0.0 };
+        let ends = TrapezoidEnds { start: row.theta_s, start_velocity: 0.0, goal: row.theta_g, goal_velocity: 0.0 };
         let ours = trapezoid(&ends, &limits(row.vmax, row.amax));
         let durations: Vec<f64> = ours.phases().iter().map(|p| p.duration).collect();
         assert_eq!(durations.len(), row.segments);
@@ -185,7 +184,8 @@ fn trapezoids_between_speeds_agree() {
 
 /// The planner of motions between moving states, on one axis.
 fn planned(row: &Moving, ramp: Ramp) -> JointMotion<1> {
-    let state = |position, velocity, acceleration| JointState::from_axes(&[AxisState { position, velocity, acceleration }]);
+    let state =
+        |position, velocity, acceleration| JointState::from_axes(&[AxisState { position, velocity, acceleration }]);
     let limits = AxisLimits::new(row.vmax, row.amax, row.jmax.unwrap_or(1.0)).expect("limits");
     let (start, goal) = (state(row.p0, row.v0, row.a0), state(row.pf, row.vf, 0.0));
     JointMotion::new(MotionPlanner::default().plan(&start, &goal, &[limits], ramp).expect("a motion"))

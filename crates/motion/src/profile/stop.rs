@@ -31,8 +31,9 @@ fn stop_smoothly(state: &AxisState, a_max: f64, j: f64) -> Cubics {
     // `max`: rounding may put the peak a hair below where the acceleration is already.
     let peak = (j * gain + 0.5 * a * a).max(0.0).sqrt().min(a_max).max(a);
     let hold = if peak > 0.0 { (gain - (2.0 * peak * peak - a * a) / (2.0 * j)) / peak } else { 0.0 };
-    Cubics::from(*state)
-        .then((peak - a) / j, sign * j)
-        .then_with(hold.max(0.0), sign * peak, 0.0)
-        .then_with(peak / j, sign * peak, -sign * j)
+    Cubics::from(*state).then((peak - a) / j, sign * j).then_with(hold.max(0.0), sign * peak, 0.0).then_with(
+        peak / j,
+        sign * peak,
+        -sign * j,
+    )
 }

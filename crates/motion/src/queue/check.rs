@@ -1,9 +1,10 @@
 use super::rate::{Pace, Rate};
-use super::segment::{EndOf, Segment};
+use super::segment::EndOf;
 use super::{MotionQueue, Repeat};
 use crate::error::Continuity;
 use crate::profile::Ramp;
-use crate::{JointMotion, JointState, LimitKind, MotionError};
+use crate::tool::ToolFault;
+use crate::{AxisState, JointMotion, JointState, LimitKind, MotionError, Range};
 
 /// Positions, velocities and accelerations closer than this count as equal: a thousandth of an encoder's step, and far above
 /// rounding.
@@ -44,13 +45,13 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     }
 
     /// Checks speeds, accelerations and jerks of a reference that was computed elsewhere.
-    pub(super) fn check_motion_limits(&self, segment: &Segment<N>) -> Result<(), MotionError> {
-        for (joint, (profile, limits)) in segment.motion.profiles().iter().zip(self.limits.axes()).enumerate() {
+    pub(super) fn check_motion_limits(&self, motion: &JointMotion<N>, ramp: Option<Ramp>) -> Result<(), MotionError> {
+        for (joint, (profile, limits)) in motion.profiles().iter().zip(self.limits.axes()).enumerate() {
             let peaks = profile.peaks();
             let mut checks = [
                 Some((LimitKind::Velocity, peaks.velocity, limits.velocity())),
-                segment.ramp.map(|_| (LimitKind::Acceleration, peaks.acceleration, limits.acceleration())),
-                (segment.ramp == Some(Ramp::JerkLimited)).then_some((LimitKind::Jerk, peaks.jerk, limits.jerk())),
+                ramp.map(|_| (LimitKind::Acceleration, peaks.acceleration, limits.acceleration())),
+                (ramp == Some(Ramp::JerkLimited)).then_some((LimitKind::Jerk, peaks.jerk, limits.jerk())),
             ]
             .into_iter()
             .flatten();
@@ -58,6 +59,23 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
             let above = checks.find(|(_, range, limit)| !(range.magnitude() <= limit * (1.0 + ROUNDING)));
             if let Some((quantity, range, limit)) = above {
                 return Err(MotionError::LimitExceeded { joint, quantity, value: range.magnitude(), limit });
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks a state on a Cartesian segment before it is given out.
+    pub(super) fn check_tool_state(&self, state: &JointState<N>) -> Result<(), ToolFault> {
+        for (joint, axis) in self.limits.axes().iter().enumerate() {
+            let AxisState { position, velocity, .. } = state.axis(joint);
+            if let Err(MotionError::JointStop { joint, position, limit }) =
+                self.limits.check_stops(joint, Range::point(position))
+            {
+                return Err(ToolFault::JointStop { joint, position, limit });
+            }
+            let speed = velocity.abs();
+            if !(speed <= axis.velocity() * (1.0 + ROUNDING)) {
+                return Err(ToolFault::TooFast { joint, speed, limit: axis.velocity() });
             }
         }
         Ok(())

@@ -1,5 +1,5 @@
 use super::check::{EQUAL, check_joint, end_of};
-use super::segment::{EndOf, Segment};
+use super::segment::{EndOf, Motion, Segment};
 use super::{MotionQueue, Repeat};
 use crate::profile::Ramp;
 use crate::{Interpolation, JointMotion, JointState, MotionError};
@@ -31,14 +31,19 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         for motion in path {
             check_joint(&before, &motion.at(0.0), ramp)?;
             self.check_motion_stops(motion)?;
-            self.check_motion_limits(&Segment { motion: *motion, ramp, end: EndOf::PassThrough, go_to: None })?;
+            self.check_motion_limits(motion, ramp)?;
             before = motion.end();
         }
         check_joint(&before, &JointState::at_rest(before.q), ramp)?;
         self.check_room(path.len())?;
         let count = self.segments.len();
         for motion in path.iter().filter(|m| m.duration() > 0.0) {
-            self.segments.push_back(Segment { motion: *motion, ramp, end: end_of(motion, ramp), go_to: None });
+            self.segments.push_back(Segment {
+                motion: Motion::Joint(*motion),
+                ramp,
+                end: end_of(motion, ramp),
+                go_to: None,
+            });
         }
         self.unless_rate_objects(count)
     }
@@ -52,7 +57,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         if repeat == Repeat::Forever
             && let Some(first) = self.segments.front()
         {
-            let gap = first.motion.at(0.0).q - self.end();
+            let gap = first.motion.start() - self.end();
             if let Some(joint) = gap.iter().position(|gap| !(gap.abs() <= EQUAL)) {
                 return Err(MotionError::NotClosed { joint, gap: gap[joint] });
             }
@@ -77,12 +82,12 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         }
         let refused = MotionError::NotEditable { index };
         let Some((segment, interpolation)) = self.go_to_at(index).filter(|_| index > 0) else { return Err(refused) };
-        let edited = self.planned(&JointState::at_rest(segment.motion.at(0.0).q), target, interpolation)?;
+        let edited = self.planned(&JointState::at_rest(segment.motion.start()), target, interpolation)?;
         let next = match self.segments.get(index + 1) {
             None => None,
             Some(_) => {
                 let Some((next, interpolation)) = self.go_to_at(index + 1) else { return Err(refused) };
-                Some(self.planned(&JointState::at_rest(*target), &next.motion.end().q, interpolation)?)
+                Some(self.planned(&JointState::at_rest(*target), &next.motion.end(), interpolation)?)
             }
         };
         let before = [self.segments.get(index).copied(), self.segments.get(index + 1).copied()];
@@ -115,7 +120,12 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     ) -> Result<Segment<N>, MotionError> {
         let motion = interpolation.plan(&mut self.planner, start, target, self.limits.axes())?;
         self.check_motion_stops(&motion)?;
-        Ok(Segment { motion, ramp: interpolation.ramp(), end: EndOf::Standstill, go_to: Some(interpolation) })
+        Ok(Segment {
+            motion: Motion::Joint(motion),
+            ramp: interpolation.ramp(),
+            end: EndOf::Standstill,
+            go_to: Some(interpolation),
+        })
     }
 
     pub(super) fn append(&mut self, segments: &[Segment<N>]) -> Result<(), MotionError> {

@@ -1,7 +1,7 @@
 use super::rate::Rate;
-use super::segment::{EndOf, Segment};
+use super::segment::{EndOf, Motion, Segment};
 use super::{MotionQueue, Repeat};
-use crate::{Interpolation, JointMotion, MotionError};
+use crate::{Interpolation, JointMotion, JointState, MotionError};
 use slideway_robot::JointVector;
 
 /// Ways to interrupt a motion, from the gentlest to the fastest stop.
@@ -49,10 +49,12 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         let state = self.set_point();
         let ramp = self.segments.front().and_then(|s| s.ramp);
         self.forget();
-        self.rest = state.q;
+        self.present = JointState::at_rest(state.q);
         if let Some(ramp) = ramp {
             let motion = JointMotion::braking(&state, self.limits.axes(), ramp);
             if motion.duration() > 0.0 {
+                self.present = state;
+                let motion = Motion::Joint(motion);
                 self.segments.push_back(Segment { motion, ramp: Some(ramp), end: EndOf::Standstill, go_to: None });
             }
         }
@@ -71,8 +73,9 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         let state = self.set_point();
         let segment = self.planned(&state, target, interpolation)?;
         self.forget();
-        self.rest = state.q;
+        self.present = JointState::at_rest(state.q);
         if segment.motion.duration() > 0.0 {
+            self.present = state;
             self.segments.push_back(segment);
         }
         Ok(())

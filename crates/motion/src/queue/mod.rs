@@ -5,10 +5,12 @@ mod commands;
 mod interrupt;
 mod rate;
 mod segment;
+mod tool_commands;
 
+use crate::tool::ToolKinematics;
 use crate::{JointState, MotionError, MotionLimits, MotionPlanner};
 use rate::Rate;
-use segment::Segment;
+use segment::{Motion, Segment};
 use slideway_robot::JointVector;
 use std::collections::VecDeque;
 
@@ -47,11 +49,12 @@ pub enum Progress {
 pub struct MotionQueue<const N: usize, const CAPACITY: usize> {
     limits: MotionLimits<N>,
     planner: MotionPlanner<N>,
+    tool: Option<ToolKinematics<N>>,
     segments: VecDeque<Segment<N>>,
     /// Path time into the first segment, s.
     clock: f64,
-    /// Where the joints rest when nothing is queued.
-    rest: JointVector<N>,
+    /// The set-point given out last; where the joints rest when nothing is queued.
+    present: JointState<N>,
     repeat: Repeat,
     rate: Rate,
 }
@@ -70,35 +73,64 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         Ok(Self {
             limits,
             planner: MotionPlanner::default(),
+            tool: None,
             segments: VecDeque::with_capacity(CAPACITY),
             clock: 0.0,
-            rest: q,
+            present: JointState::at_rest(q),
             repeat: Repeat::Once,
             rate: Rate::constant(1.0),
         })
+    }
+
+    /// The same queue with an arm, so that it takes Cartesian commands as well.
+    #[must_use]
+    pub fn with_tool(self, kinematics: ToolKinematics<N>) -> Self {
+        Self { tool: Some(kinematics), ..self }
     }
 
     /// Advances by `dt` seconds and returns the set-point.
     ///
     /// # Errors
     ///
-    /// [`MotionError::SamplingPeriod`] if `dt` is not positive and finite: the queue stays where it is.
+    /// [`MotionError::SamplingPeriod`] if `dt` is not positive and finite. On a Cartesian segment [`MotionError::Tool`] at a
+    /// singularity, a stop, or where a joint would be too fast. The queue then stays where it is, its last set-point in
+    /// motion: brake with [`MotionQueue::brake_fully`].
     pub fn advance(&mut self, dt: f64) -> Result<JointState<N>, MotionError> {
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(MotionError::SamplingPeriod { period: dt });
         }
         self.follow_wanted_rate();
+        let (clock, rate) = (self.clock, self.rate);
         self.clock += self.rate.advance(dt);
-        self.leave_finished_segments();
-        Ok(self.set_point())
+        let left = self.leave_finished_segments();
+        match self.state_at_clock() {
+            Ok(state) => {
+                self.present = state;
+                Ok(state)
+            }
+            Err(error) => {
+                // A segment of the tool is entered at rest, so the way-point before it is within reach of the last set-point.
+                (self.clock, self.rate) = if left == 0 { (clock, rate) } else { (0.0, self.rate) };
+                Err(error)
+            }
+        }
     }
 
     /// The present set-point.
     #[must_use]
     pub fn set_point(&self) -> JointState<N> {
+        self.present
+    }
+
+    fn state_at_clock(&self) -> Result<JointState<N>, MotionError> {
+        let Some(segment) = self.segments.front() else { return Ok(JointState::at_rest(self.present.q)) };
         let pace = self.rate.now();
-        let Some(segment) = self.segments.front() else { return JointState::at_rest(self.rest) };
-        segment.at(self.clock, pace.velocity, pace.acceleration)
+        let seed = &self.present.q;
+        let state = segment.at(self.clock, (pace.velocity, pace.acceleration), self.tool.as_ref(), seed)?;
+        if let Motion::Tool(motion) = &segment.motion {
+            self.check_tool_state(&state).map_err(|fault| motion.fault(self.clock, fault))?;
+        }
+        Ok(state)
     }
 
     /// What the queue is doing.
@@ -146,17 +178,20 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     /// Where the queue ends, at rest.
     #[must_use]
     pub fn end(&self) -> JointVector<N> {
-        self.segments.back().map_or(self.rest, |s| s.motion.end().q)
+        self.segments.back().map_or(self.present.q, |s| s.motion.end())
     }
 
-    fn leave_finished_segments(&mut self) {
+    /// Leaves the segments in the past and returns how many they were.
+    fn leave_finished_segments(&mut self) -> usize {
+        let mut left = 0;
         while let Some(duration) = self.segments.front().map(|s| s.motion.duration())
             && self.clock >= duration
         {
             self.clock -= duration;
+            left += 1;
             if let Some(past) = self.segments.pop_front() {
                 match self.repeat {
-                    Repeat::Once => self.rest = past.motion.end().q,
+                    Repeat::Once => self.present = JointState::at_rest(past.motion.end()),
                     Repeat::Forever => self.segments.push_back(past),
                 }
             }
@@ -164,6 +199,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         if self.segments.is_empty() {
             self.clock = 0.0;
         }
+        left
     }
 
     fn follow_wanted_rate(&mut self) {
