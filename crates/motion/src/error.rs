@@ -1,3 +1,4 @@
+use crate::supervisor::Mode;
 use crate::tool::ToolFault;
 use crate::{Interpolation, LimitKind};
 use slideway_robot::RobotError;
@@ -152,6 +153,20 @@ pub enum MotionError {
         #[source]
         cause: Box<ToolFault>,
     },
+    /// A command that the mode of the controller does not take.
+    #[error("in the mode {mode:?} the queue takes no commands")]
+    WrongMode {
+        /// The mode.
+        mode: Mode,
+    },
+    /// A pace or a period of the controller that is out of its range.
+    #[error("`{name}` is {value}, which is out of its range")]
+    Setting {
+        /// Name of the setting.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
     /// A Cartesian command to a queue that knows no arm.
     #[error("the queue was made without the kinematics of a tool")]
     NoTool,
@@ -165,7 +180,7 @@ impl MotionError {
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {
-            Self::LimitNotPositive { .. } | Self::Rate { .. } | Self::SamplingPeriod { .. } => {
+            Self::Setting { .. } | Self::LimitNotPositive { .. } | Self::Rate { .. } | Self::SamplingPeriod { .. } => {
                 "give a number in the range named"
             }
             Self::Margin { .. } => "lower the margin, or widen the range of the joint",
@@ -182,6 +197,7 @@ impl MotionError {
             Self::NotEditable { .. } => "edit a later Go-To segment, or interrupt the motion",
             Self::RateChanging => "try again when the rate has settled",
             Self::Tool { .. } => "move the line away from the place named, or go round it by joint motions",
+            Self::WrongMode { .. } => "bring the arm to rest, or reset its fault",
             Self::NoTool => "make the queue with the kinematics of its tool",
             Self::Kinematics(_) => "use a task that the arm has joints for",
         }

@@ -6,6 +6,7 @@
 //!
 //! `[R16]` is the chapter "Control of Articulated Robots" of Hauser, "Robotic Systems" (draft).
 
+mod controller;
 mod error;
 mod interpolation;
 mod joint_motion;
@@ -19,6 +20,7 @@ pub mod supervisor;
 pub mod tool;
 mod way_points;
 
+pub use controller::{ArmController, ControllerSettings, Output};
 pub use error::{Continuity, MotionError};
 pub use interpolation::Interpolation;
 pub use joint_motion::JointMotion;

@@ -7,6 +7,7 @@ mod rate;
 mod segment;
 mod tool_commands;
 
+use crate::supervisor::{QueueState, SegmentKind};
 use crate::tool::ToolKinematics;
 use crate::{JointState, MotionError, MotionLimits, MotionPlanner};
 use rate::Rate;
@@ -145,6 +146,17 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         }
     }
 
+    /// The queue as the supervisor sees it.
+    #[must_use]
+    pub fn state(&self) -> QueueState {
+        let Some(segment) = self.segments.front() else { return QueueState::Resting };
+        let kind = match segment.motion {
+            Motion::Joint(_) => SegmentKind::Joint,
+            Motion::Tool(_) => SegmentKind::Tool,
+        };
+        if self.progress() == Progress::Paused { QueueState::Paused(kind) } else { QueueState::Ready(kind) }
+    }
+
     /// The pace of path time, in [0, 1].
     #[must_use]
     pub fn rate(&self) -> f64 {
@@ -203,8 +215,9 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     }
 
     fn follow_wanted_rate(&mut self) {
-        if self.segments.is_empty() {
-            // Nothing moves: the pace may jump.
+        let not_begun = self.clock == 0.0 && self.present.is_at_rest();
+        if self.segments.is_empty() || not_begun {
+            // Nothing moves, and what comes begins at rest whatever the pace: it may jump.
             self.rate = Rate::constant(self.rate.wanted);
         } else if self.rate.is_pending() {
             let axes = self.limits.axes();

@@ -1,5 +1,5 @@
 use super::machine::next;
-use super::{AfterBrake, Cause, Fault, Mode, QueueState, SegmentKind, Signals};
+use super::{AfterBrake, Cause, Fault, Inputs, Mode, QueueState, SegmentKind, Signals};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -28,34 +28,28 @@ pub fn diagram() -> String {
 }
 
 /// Every combination of signals.
-pub(super) fn all_signals() -> impl Iterator<Item = Signals> {
+fn all_signals() -> impl Iterator<Item = Signals> {
     let kinds = [SegmentKind::Joint, SegmentKind::Tool];
-    let queues: Vec<QueueState> = kinds
-        .iter()
-        .flat_map(|&kind| [QueueState::Ready(kind), QueueState::Paused(kind)])
-        .chain([QueueState::Resting])
-        .collect();
-    let faults: Vec<Option<Fault>> = Fault::ALL.into_iter().map(Some).chain([None]).collect();
-    queues.into_iter().flat_map(move |queue| {
-        let faults = faults.clone();
-        faults.into_iter().flat_map(move |fault| {
-            (0..256_u32).map(move |bits| {
-                let bit = |k: u32| bits & (1 << k) != 0;
-                Signals {
-                    fault,
-                    brake_fully: bit(0),
-                    overdue: bit(1),
-                    brake_on_path: bit(2),
-                    discard: bit(3),
-                    resume: bit(4),
-                    start: bit(5),
-                    reset: bit(6),
-                    recover: bit(7),
-                    queue,
-                }
-            })
-        })
+    let queues = kinds.into_iter().flat_map(|kind| [QueueState::Ready(kind), QueueState::Paused(kind)]);
+    queues.chain([QueueState::Resting]).flat_map(|queue| {
+        let faults = Fault::ALL.into_iter().map(Some).chain([None]);
+        faults.flat_map(move |fault| (0..256).map(move |bits| signals(queue, fault, bits)))
     })
+}
+
+fn signals(queue: QueueState, fault: Option<Fault>, bits: u32) -> Signals {
+    let bit = |k: u32| bits & (1 << k) != 0;
+    let inputs = Inputs {
+        fault,
+        brake_fully: bit(0),
+        brake_on_path: bit(1),
+        discard: bit(2),
+        resume: bit(3),
+        start: bit(4),
+        reset: bit(5),
+        recover: bit(6),
+    };
+    Signals { inputs, overdue: bit(7), queue }
 }
 
 fn name(mode: Mode) -> &'static str {

@@ -55,12 +55,14 @@ pub(super) enum FromIdle {
 }
 
 pub(super) fn from_idle(signals: &Signals) -> Option<FromIdle> {
-    if let Some(fault) = signals.fault {
+    if let Some(fault) = signals.inputs.fault {
         return Some(FromIdle::Fault(fault));
     }
     match signals.queue {
         // A brake that is asked for at rest forbids to start.
-        QueueState::Ready(kind) if signals.start && !signals.brake_fully && !signals.brake_on_path => {
+        QueueState::Ready(kind)
+            if signals.inputs.start && !signals.inputs.brake_fully && !signals.inputs.brake_on_path =>
+        {
             Some(FromIdle::Start(kind))
         }
         QueueState::Ready(_) | QueueState::Paused(_) | QueueState::Resting => None,
@@ -95,13 +97,13 @@ pub(super) enum FromMotion {
 }
 
 pub(super) fn from_motion(kind: SegmentKind, signals: &Signals) -> Option<FromMotion> {
-    if let Some(fault) = signals.fault {
+    if let Some(fault) = signals.inputs.fault {
         return Some(FromMotion::Fault(fault));
     }
-    if signals.brake_fully {
+    if signals.inputs.brake_fully {
         return Some(FromMotion::BrakeFully);
     }
-    if signals.brake_on_path {
+    if signals.inputs.brake_on_path {
         return Some(FromMotion::BrakeOnPath);
     }
     match signals.queue {
@@ -146,10 +148,10 @@ pub(super) enum FromBrakingOnPath {
 }
 
 pub(super) fn from_braking_on_path(signals: &Signals) -> Option<FromBrakingOnPath> {
-    if let Some(fault) = signals.fault {
+    if let Some(fault) = signals.inputs.fault {
         return Some(FromBrakingOnPath::Fault(fault));
     }
-    if signals.brake_fully {
+    if signals.inputs.brake_fully {
         return Some(FromBrakingOnPath::BrakeFully);
     }
     match signals.queue {
@@ -189,16 +191,16 @@ pub(super) enum FromPaused {
 }
 
 pub(super) fn from_paused(signals: &Signals) -> Option<FromPaused> {
-    if let Some(fault) = signals.fault {
+    if let Some(fault) = signals.inputs.fault {
         return Some(FromPaused::Fault(fault));
     }
     match signals.queue {
         // Nothing left to go on with.
         QueueState::Resting => Some(FromPaused::Discard),
-        _ if signals.discard => Some(FromPaused::Discard),
+        _ if signals.inputs.discard => Some(FromPaused::Discard),
         QueueState::Ready(kind) | QueueState::Paused(kind) => {
-            let braked = signals.brake_fully || signals.brake_on_path;
-            (signals.resume && !braked).then_some(FromPaused::Resume(kind))
+            let braked = signals.inputs.brake_fully || signals.inputs.brake_on_path;
+            (signals.inputs.resume && !braked).then_some(FromPaused::Resume(kind))
         }
     }
 }
@@ -230,7 +232,7 @@ pub(super) enum FromBrakingFully {
 }
 
 pub(super) fn from_braking_fully(after: AfterBrake, signals: &Signals) -> Option<FromBrakingFully> {
-    match (after, signals.fault, signals.queue) {
+    match (after, signals.inputs.fault, signals.queue) {
         (AfterBrake::Idle, Some(fault), _) => Some(FromBrakingFully::Fault(fault)),
         (after, _, QueueState::Resting) => Some(FromBrakingFully::Rest(after)),
         (_, _, QueueState::Ready(_) | QueueState::Paused(_)) => None,
@@ -262,12 +264,12 @@ pub(super) enum FromFault {
 }
 
 pub(super) fn from_fault(fault: Fault, signals: &Signals) -> Option<FromFault> {
-    if signals.fault.is_some() || signals.brake_fully || signals.brake_on_path {
+    if signals.inputs.fault.is_some() || signals.inputs.brake_fully || signals.inputs.brake_on_path {
         return None;
     }
     match signals.queue {
-        _ if signals.reset => Some(FromFault::Reset),
-        QueueState::Ready(SegmentKind::Joint) if signals.recover => Some(FromFault::Recover(fault)),
+        _ if signals.inputs.reset => Some(FromFault::Reset),
+        QueueState::Ready(SegmentKind::Joint) if signals.inputs.recover => Some(FromFault::Recover(fault)),
         QueueState::Ready(_) | QueueState::Paused(_) | QueueState::Resting => None,
     }
 }
@@ -297,11 +299,11 @@ pub(super) enum FromRecovery {
 }
 
 pub(super) fn from_recovery(fault: Fault, signals: &Signals) -> Option<FromRecovery> {
-    if let Some(newer) = signals.fault {
+    if let Some(newer) = signals.inputs.fault {
         return Some(FromRecovery::Fault(newer));
     }
     match signals.queue {
-        _ if signals.brake_fully || signals.brake_on_path => Some(FromRecovery::Brake(fault)),
+        _ if signals.inputs.brake_fully || signals.inputs.brake_on_path => Some(FromRecovery::Brake(fault)),
         QueueState::Resting => Some(FromRecovery::Finished),
         // Only joint motions lead out of a fault, and none stops on the way.
         QueueState::Ready(SegmentKind::Tool) | QueueState::Paused(_) => Some(FromRecovery::Brake(fault)),

@@ -12,4 +12,4 @@ pub use diagram::diagram;
 pub use exits::Cause;
 pub use log::{Event, EventLog};
 pub use machine::Supervisor;
-pub use mode::{AfterBrake, Fault, Mode, QueueState, SegmentKind, Signals};
+pub use mode::{AfterBrake, Fault, Inputs, Mode, QueueState, SegmentKind, Signals};

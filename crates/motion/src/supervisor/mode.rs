@@ -97,15 +97,13 @@ pub enum QueueState {
     Paused(SegmentKind),
 }
 
-/// What is raised in a sample; any combination may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Signals {
+/// What is raised from outside in a sample; any combination may be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Inputs {
     /// A fault that is present.
     pub fault: Option<Fault>,
     /// Brake at once, whatever the path.
     pub brake_fully: bool,
-    /// A brake on the path takes longer than it may.
-    pub overdue: bool,
     /// Brake along the path.
     pub brake_on_path: bool,
     /// Give up a paused path.
@@ -116,27 +114,17 @@ pub struct Signals {
     pub start: bool,
     /// A fault has been dealt with and the arm may stay where it is.
     pub reset: bool,
-    /// A fault has been dealt with and a motion to a known place is queued.
+    /// A fault has been dealt with and a joint motion to a known place is queued.
     pub recover: bool,
-    /// The queue.
-    pub queue: QueueState,
 }
 
-impl Signals {
-    /// Nothing raised.
-    #[must_use]
-    pub fn quiet(queue: QueueState) -> Self {
-        Self {
-            fault: None,
-            brake_fully: false,
-            overdue: false,
-            brake_on_path: false,
-            discard: false,
-            resume: false,
-            start: false,
-            reset: false,
-            recover: false,
-            queue,
-        }
-    }
+/// All that a sample is decided by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Signals {
+    /// From outside.
+    pub inputs: Inputs,
+    /// A brake on the path takes longer than it may.
+    pub overdue: bool,
+    /// The queue.
+    pub queue: QueueState,
 }
