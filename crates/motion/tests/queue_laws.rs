@@ -130,8 +130,21 @@ fn run(limits: &MotionLimits<N>, interpolation: Interpolation, script: &[(Comman
     let mut queue = Queue::new(limits.clone(), JointVector::zeros()).expect("zero is inside");
     let mut before = queue.set_point();
     for (command, steps) in script {
-        // A refused command must change nothing: the steps that follow are checked all the same.
-        let _refused = obey(&mut queue, command, interpolation);
+        // A refused command must change nothing: the steps that follow are checked all the same. That no motion was
+        // found is not among the reasons.
+        if let Err(error) = obey(&mut queue, command, interpolation) {
+            let fair = matches!(
+                error,
+                MotionError::JointStop { .. }
+                    | MotionError::NeedsRest { .. }
+                    | MotionError::NotEditable { .. }
+                    | MotionError::Cyclic
+                    | MotionError::QueueFull { .. }
+                    | MotionError::WayPoints { .. }
+                    | MotionError::RateChanging
+            );
+            assert!(fair, "{command:?}: {error}");
+        }
         for _ in 0..*steps {
             let after = queue.advance(dt).expect("a positive period");
             assert_step(limits, &before, &after, dt, interpolation.ramp());
