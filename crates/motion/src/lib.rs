@@ -6,6 +6,7 @@
 //!
 //! `[R16]` is the chapter "Control of Articulated Robots" of Hauser, "Robotic Systems" (draft).
 
+pub mod control;
 mod controller;
 mod error;
 mod interpolation;
