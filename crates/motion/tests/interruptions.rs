@@ -143,6 +143,24 @@ fn stopping_at_a_way_point_stops_there() {
 }
 
 #[test]
+fn a_brake_on_the_path_goes_no_further_than_the_next_way_point() {
+    for family in [Interpolation::Trapezoid, Interpolation::BoundedJerk] {
+        for thousandths in 1..100_u32 {
+            let mut queue = filled(family, &[[1.0, 0.3], [1.0, 1.0], [0.0, 0.0]]);
+            let mut first = self::queue();
+            first.go_to(&at(1.0, 0.3), family).expect("room");
+            run(&mut queue, first.path_time_left() - 1e-3 * f64::from(5 * thousandths).min(900.0));
+            queue.brake_on_path();
+            while queue.progress() == Progress::Moving {
+                queue.advance(1e-3).expect("joint motions do not fail");
+            }
+            let rest = queue.set_point();
+            assert!(rest.is_at_rest() && rest.q[0] <= 1.0 + 1e-12 && rest.q[1] <= 0.3 + 1e-12, "{}", rest.q);
+        }
+    }
+}
+
+#[test]
 fn a_cycle_comes_round_until_it_is_ended() {
     let mut queue = filled(Interpolation::BoundedJerk, &[[1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]);
     let round = queue.path_time_left();

@@ -160,7 +160,7 @@ fn script() -> impl Strategy<Value = Vec<(Command, u32)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(192))]
+    #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
     fn lines_never_jump(limits in limits(), script in script(), dt in 1e-3..2e-2_f64) {

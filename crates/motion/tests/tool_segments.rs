@@ -165,3 +165,22 @@ fn a_queue_without_an_arm_refuses_tool_commands() {
     let mut queue = Queue::new(limits, home()).expect("finite");
     assert_eq!(queue.move_tool_to(&seam(), &tool(0.5, Ramp::JerkLimited)), Err(MotionError::NoTool));
 }
+
+/// The check before the motion leaves nothing to find out later but what lies between its samples; the check in each sample
+/// does not rely on that.
+#[test]
+fn following_stops_at_singularities_and_out_of_reach() {
+    let kinematics = ToolKinematics::new(models::puma560(), Task::Pose, 0.02).expect("six joints");
+    let still = nalgebra::Vector6::zeros();
+    let mut singular = home();
+    singular[4] = 0.0;
+    let pose = models::puma560().forward(&singular);
+    let fault = kinematics.follow(&pose, &still, &still, &singular).expect_err("the wrist is stretched");
+    assert!(matches!(fault, ToolFault::Singular { smallest, .. } if smallest < 1e-9), "{fault}");
+    let fault = kinematics.follow(&moved([3.0, 0.0, 0.0], 0.0), &still, &still, &home()).expect_err("too far");
+    assert!(matches!(fault, ToolFault::Unreachable(_)), "{fault}");
+    let mut nan = moved([0.0; 3], 0.0);
+    nan.translation.vector.x = f64::NAN;
+    assert!(kinematics.follow(&nan, &still, &still, &home()).is_err());
+    assert_eq!(queue().move_tool_to(&nan, &tool(0.5, Ramp::JerkLimited)), Err(MotionError::PoseNotFinite));
+}

@@ -20,8 +20,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     /// Stays on the path, to rounding, and within the limits: a pace changes by a law that was checked at every instant before
     /// it began. Out of a steady speed a brake takes `1/α + α/β` seconds with `α` between a 32nd and four times
     /// `min A/V` over the joints and `β` in the same proportion to `min J/V`. Where no law fits, as on a stretch that is
-    /// braked at its limits already, the pace waits until one does: at the latest the joints rest at the next way-point at
-    /// rest that ends the queue.
+    /// braked at its limits already, the pace waits until one does. A brake never goes beyond the next way-point at rest.
     ///
     /// # Errors
     ///
@@ -34,7 +33,8 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         Ok(())
     }
 
-    /// Brakes on the path: [`MotionQueue::set_rate`] of 0.
+    /// Brakes on the path: [`MotionQueue::set_rate`] of 0. The pace stays 0 until it is set again, for motions appended later
+    /// as well.
     pub fn brake_on_path(&mut self) {
         self.rate.wanted = 0.0;
     }

@@ -11,7 +11,7 @@ use crate::supervisor::{QueueState, SegmentKind};
 use crate::tool::ToolKinematics;
 use crate::{JointState, MotionError, MotionLimits, MotionPlanner};
 use rate::Rate;
-use segment::{Motion, Segment};
+use segment::{EndOf, Motion, Segment};
 use slideway_robot::JointVector;
 use std::collections::VecDeque;
 
@@ -205,6 +205,11 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
                 match self.repeat {
                     Repeat::Once => self.present = JointState::at_rest(past.motion.end()),
                     Repeat::Forever => self.segments.push_back(past),
+                }
+                if past.end == EndOf::Standstill && self.rate.wanted == 0.0 {
+                    // The way-point is a place to rest at any pace: a brake on the path goes no further.
+                    (self.clock, self.rate) = (0.0, Rate::constant(0.0));
+                    break;
                 }
             }
         }
