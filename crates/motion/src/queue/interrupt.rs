@@ -42,7 +42,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     /// Brakes every joint as fast as its limits allow, and forgets the queue.
     ///
     /// Leaves the path. Time to rest under an acceleration limit: `max |v_i| / A_i`; under a jerk limit at most
-    /// `max (|v_i| / A_i + 2 A_i / J_i)` out of a steady speed. Under an acceleration limit no joint gets further than its
+    /// `max (|v_i| / A_i + A_i / J_i)` out of a steady speed. Under an acceleration limit no joint gets further than its
     /// planned motion would have got; under a jerk limit it may get into the margin of a stop if the plan turned round there.
     /// A brake is never refused.
     pub fn brake_fully(&mut self) {
