@@ -1,0 +1,80 @@
+use super::{Pid, PidState};
+use crate::{JointState, MotionError};
+use slideway_robot::{Dynamics, JointVector};
+
+/// How feedback and the arm's model make a torque. `u` is the joints' PID output for the error of position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TorqueLaw {
+    /// `τ = u`; the gains are torques per error.
+    Pid,
+    /// `τ = u + g(q)` at the measured position: steady under its own weight without an integral.
+    GravityCompensation,
+    /// `τ = u + M(q) q̈d + c(q, q̇) + g(q)`, with the model at the measured state.
+    FeedForward,
+    /// `τ = M(q) (q̈d + u) + c(q, q̇) + g(q)`; the gains are accelerations per error. With an exact model and torques inside
+    /// their limits the error obeys `ë + u(e) = 0`, the same for each joint and every position.
+    ComputedTorque,
+}
+
+/// Torques of one sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TorqueOutput<const N: usize> {
+    /// Torques, inside the limits, N·m or N.
+    pub torque: JointVector<N>,
+    /// Joints whose torque was cut.
+    pub cut: [bool; N],
+}
+
+/// Joint torques from a set-point and the measured state. Source: `[R16]`, feed-forward torque control.
+///
+/// A torque that is NaN becomes 0.
+#[derive(Clone, Debug)]
+pub struct TorqueController<const N: usize> {
+    dynamics: Dynamics<N>,
+    law: TorqueLaw,
+    feedback: [Pid; N],
+    largest: JointVector<N>,
+    states: [PidState; N],
+}
+
+impl<const N: usize> TorqueController<N> {
+    /// A controller at rest. `largest` holds the joints' largest torques.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError::Setting`] if a torque limit is not positive; infinity is no limit.
+    pub fn new(
+        dynamics: Dynamics<N>,
+        law: TorqueLaw,
+        feedback: [Pid; N],
+        largest: JointVector<N>,
+    ) -> Result<Self, MotionError> {
+        if let Some(&value) = largest.iter().find(|&&t| !(t > 0.0)) {
+            return Err(MotionError::Setting { name: "largest", value });
+        }
+        Ok(Self { dynamics, law, feedback, largest, states: [PidState::default(); N] })
+    }
+
+    /// One sample: the torques for a set-point and the measured positions and speeds.
+    pub fn step(&mut self, desired: &JointState<N>, q: &JointVector<N>, qd: &JointVector<N>) -> TorqueOutput<N> {
+        let (error, rate) = (desired.q - q, desired.qd - qd);
+        let mut feedback = JointVector::<N>::zeros();
+        for (i, (pid, state)) in self.feedback.iter().zip(&mut self.states).enumerate() {
+            feedback[i] = pid.step(state, error[i], rate[i]);
+        }
+        let torque = match self.law {
+            TorqueLaw::Pid => feedback,
+            TorqueLaw::GravityCompensation => feedback + self.dynamics.gravity_torque(q),
+            TorqueLaw::FeedForward => feedback + self.dynamics.inverse(q, qd, &desired.qdd),
+            TorqueLaw::ComputedTorque => self.dynamics.inverse(q, qd, &(desired.qdd + feedback)),
+        };
+        self.cut(&torque)
+    }
+
+    fn cut(&self, torque: &JointVector<N>) -> TorqueOutput<N> {
+        let inside = |i: usize| torque[i].abs() <= self.largest[i];
+        let limited =
+            |i: usize| if torque[i].is_nan() { 0.0 } else { torque[i].clamp(-self.largest[i], self.largest[i]) };
+        TorqueOutput { torque: JointVector::from_fn(|i, _| limited(i)), cut: std::array::from_fn(|i| !inside(i)) }
+    }
+}

@@ -1,0 +1,118 @@
+use super::rate::Pace;
+use crate::profile::Ramp;
+use crate::tool::{ToolKinematics, ToolMotion};
+use crate::{AxisLimits, Interpolation, JointMotion, JointState, MotionError, Range};
+use slideway_robot::JointVector;
+
+/// What moves.
+#[derive(Clone, Copy, Debug)]
+// Boxing the larger variant would allocate in the control loop.
+#[allow(clippy::large_enum_variant)]
+pub(super) enum Motion<const N: usize> {
+    /// The joints, each by its profile.
+    Joint(JointMotion<N>),
+    /// The tool along a line.
+    Tool(ToolMotion<N>),
+}
+
+impl<const N: usize> Motion<N> {
+    pub(super) fn duration(&self) -> f64 {
+        match self {
+            Self::Joint(m) => m.duration(),
+            Self::Tool(m) => m.law().duration(),
+        }
+    }
+
+    pub(super) fn start(&self) -> JointVector<N> {
+        match self {
+            Self::Joint(m) => m.at(0.0).q,
+            Self::Tool(m) => *m.start(),
+        }
+    }
+
+    pub(super) fn end(&self) -> JointVector<N> {
+        match self {
+            Self::Joint(m) => m.end().q,
+            Self::Tool(m) => *m.end(),
+        }
+    }
+}
+
+/// A stretch of the queue.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment<const N: usize> {
+    /// What it does.
+    pub(super) motion: Motion<N>,
+    /// What may bound changes of its pace: `None` where the speed itself jumps.
+    pub(super) ramp: Option<Ramp>,
+    /// How it ends.
+    pub(super) end: EndOf,
+    /// The Go-To it came from, if it did.
+    pub(super) go_to: Option<Interpolation>,
+}
+
+/// Whether a motion may stop at the end of a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum EndOf {
+    /// A way-point at rest.
+    Standstill,
+    /// A way-point passed in motion.
+    PassThrough,
+}
+
+/// Rounding of a handful of products, relative to the limit.
+const ROUNDING: f64 = 1e-9;
+
+impl<const N: usize> Segment<N> {
+    /// State at path time `s` when path time runs at a pace `r` with slope `w`:
+    /// `q̇ = r Q'`, `q̈ = r² Q'' + w Q'`. The tool's segments need its kinematics and a joint position close by.
+    pub(super) fn at(
+        &self,
+        s: f64,
+        (rate, slope): (f64, f64),
+        tool: Option<&ToolKinematics<N>>,
+        seed: &JointVector<N>,
+    ) -> Result<JointState<N>, MotionError> {
+        let JointState { q, qd, qdd } = match &self.motion {
+            Motion::Joint(motion) => motion.at(s),
+            Motion::Tool(motion) => {
+                let kinematics = tool.ok_or(MotionError::NoTool)?;
+                motion.follow(kinematics, s, seed).map_err(|fault| motion.fault(s, fault))?
+            }
+        };
+        Ok(JointState { q, qd: qd * rate, qdd: qdd * (rate * rate) + qd * slope })
+    }
+
+    /// Whether the limits hold while the segment's time covers `[from, to]` at the given pace:
+    ///
+    /// ```text
+    /// |r² Q'' + w Q'| <= A,   |r³ Q''' + 3 r w Q'' + x Q'| <= J
+    /// ```
+    ///
+    /// by interval arithmetic, hence for every instant of the span. The speed limit needs no check at a pace of at most 1.
+    /// Segments of the tool have bounds by samples, and none of their jerk.
+    pub(super) fn keeps(&self, limits: &[AxisLimits; N], from: f64, to: f64, pace: &Pace) -> bool {
+        let Some(ramp) = self.ramp else { return true };
+        let (r, w, x) = (pace.rate, pace.slope, pace.curvature);
+        let square = r.times(r);
+        limits.iter().enumerate().all(|(joint, limits)| {
+            let (velocity, acceleration, jerk) = match &self.motion {
+                Motion::Joint(motion) => {
+                    let q = motion.bounds(joint, from, to);
+                    (q.velocity, q.acceleration, Some(q.jerk).filter(|_| ramp == Ramp::JerkLimited))
+                }
+                Motion::Tool(motion) => {
+                    let (v, a) = motion.bounds(joint, from, to);
+                    (Range { lower: -v, upper: v }, Range { lower: -a, upper: a }, None)
+                }
+            };
+            let total = square.times(acceleration).plus(w.times(velocity));
+            let keeps_jerk = jerk.is_none_or(|jerk| {
+                let cross = r.times(w).times(acceleration);
+                let total = square.times(r).times(jerk).plus(cross.plus(cross).plus(cross)).plus(x.times(velocity));
+                total.magnitude() <= limits.jerk() * (1.0 + ROUNDING)
+            });
+            total.magnitude() <= limits.acceleration() * (1.0 + ROUNDING) && keeps_jerk
+        })
+    }
+}
