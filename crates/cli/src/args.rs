@@ -57,8 +57,12 @@ pub(crate) enum Kind {
 #[derive(Debug, clap::Args)]
 pub(crate) struct CompareArguments {
     /// Name of a built-in scenario, or path of a scenario file (TOML).
-    pub(crate) scenario: String,
-    /// Where to write the results [default: `out/` and the scenario's name].
+    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    pub(crate) scenario: Option<String>,
+    /// Run every built-in scenario and write one page about them all; exit status 1 if a verdict is not the one expected.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Where to write the results [default: `out/` and the scenario's name; with --all, `out`].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].

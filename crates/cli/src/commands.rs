@@ -2,7 +2,9 @@ use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
 use crate::{compare, robot, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
-use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
+use slideway_lab::{
+    BUILT_IN, CONDITIONING_TEMPLATE, Expectation, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind,
+};
 use slideway_robot::models::Model;
 use std::io::Write as _;
 use std::path::Path;
@@ -100,6 +102,14 @@ impl Loaded {
         match self {
             Self::Speed(scenario) => scenario.name(),
             Self::Conditioning(scenario) => scenario.name(),
+        }
+    }
+
+    /// The verdict that the scenario is expected to get.
+    pub(crate) fn expectation(&self) -> Expectation {
+        match self {
+            Self::Speed(scenario) => scenario.expectation(),
+            Self::Conditioning(scenario) => scenario.expectation(),
         }
     }
 

@@ -5,7 +5,7 @@ use crate::diagnostic::CliError;
 use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
 use crate::verdict::Verdict;
 use crate::windows::{WindowEntry, windows};
-use crate::{report, table};
+use crate::{gallery, report, table};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
@@ -25,24 +25,75 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
         let remedy = "give a share of the limits, for example 1e-6";
         return Err(CliError::Option { option: "inter-sample", value, remedy });
     }
-    let loaded = load(&arguments.scenario)?;
+    let options = CompareOptions { tolerance: arguments.tolerance, inter_sample: arguments.inter_sample };
+    let Some(name) = arguments.scenario.as_deref() else {
+        let out = arguments.out.clone().unwrap_or_else(|| "out".into());
+        return gallery::run(&options, &out, arguments.json);
+    };
+    let loaded = load(name)?;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(loaded.name()));
+    let compared = compare(&loaded, name, &options, &out)?;
+    show(arguments.json, &compared.summary, &compared.table, &out)?;
+    Ok(if compared.holds { Outcome::Holds } else { Outcome::Fails })
+}
+
+/// What the command line says about a comparison.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CompareOptions {
+    /// Instead of the scenario's tolerance.
+    pub(crate) tolerance: Option<f64>,
+    /// Keep the optimum's limits between grid points too, to this share of each.
+    pub(crate) inter_sample: Option<f64>,
+}
+
+/// A comparison that was run and written.
+pub(crate) struct Compared {
+    /// Whether its verdict holds.
+    pub(crate) holds: bool,
+    /// The verdict in words.
+    pub(crate) sentence: String,
+    /// What the gallery's table shows.
+    pub(crate) key: KeyFigures,
+    /// What `summary.json` holds.
+    pub(crate) summary: serde_json::Value,
+    /// The same for a terminal.
+    pub(crate) table: String,
+}
+
+/// The few numbers by which comparisons are put side by side.
+#[derive(Clone, Copy, Debug, Default, serde::Serialize)]
+pub(crate) struct KeyFigures {
+    /// Certified optimum, s; null for conditioning.
+    pub(crate) optimum_s: Option<f64>,
+    /// Gap of its certificate.
+    pub(crate) gap: Option<f64>,
+    /// Judged method over the optimum: travel time, or mean deviation over the projection's.
+    pub(crate) ratio: Option<f64>,
+}
+
+/// The summary as JSON.
+pub(crate) fn as_json(summary: &impl serde::Serialize) -> Result<serde_json::Value, CliError> {
+    serde_json::to_value(summary).map_err(|error| CliError::Write { path: "summary.json".into(), source: error.into() })
+}
+
+/// Runs every method on a scenario and writes traces, figures, summary and report.
+pub(crate) fn compare(loaded: &Loaded, name: &str, options: &CompareOptions, out: &Path) -> Result<Compared, CliError> {
     match loaded {
-        Loaded::Speed(scenario) => compare_speed(arguments, &scenario, &out),
-        Loaded::Conditioning(scenario) => compare_conditioning(arguments, &scenario, &out),
+        Loaded::Speed(scenario) => compare_speed(name, options, scenario, out),
+        Loaded::Conditioning(scenario) => compare_conditioning(name, options, scenario, out),
     }
 }
 
-fn compare_speed(arguments: &CompareArguments, scenario: &Scenario, out: &Path) -> Result<Outcome, CliError> {
-    let tolerance = arguments.tolerance.unwrap_or_else(|| scenario.tolerance());
-    let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
+fn compare_speed(name: &str, options: &CompareOptions, scenario: &Scenario, out: &Path) -> Result<Compared, CliError> {
+    let tolerance = options.tolerance.unwrap_or_else(|| scenario.tolerance());
+    let pointed = |error: LabError| scenario_error(error, name, Some(scenario.text().to_owned()));
     let experiment = Experiment::new(scenario).map_err(pointed)?;
     let progress = progress(experiment.methods().len() as u64 + 2);
     let traces = run_methods(&experiment, &progress).map_err(pointed)?;
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
-    let solved = Solved::new(&path, &finer, arguments.inter_sample)?;
+    let solved = Solved::new(&path, &finer, options.inter_sample)?;
     let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
@@ -51,8 +102,17 @@ fn compare_speed(arguments: &CompareArguments, scenario: &Scenario, out: &Path) 
     progress.set_message("writing traces and figures");
     write(out, scenario, &experiment, &traces, &path, &solved.optimum, &summary)?;
     progress.finish_and_clear();
-    show(arguments.json, &summary, &table::render(&summary), out)?;
-    Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
+    Ok(Compared {
+        holds: summary.verdict.holds,
+        sentence: summary.verdict.sentence.clone(),
+        key: KeyFigures {
+            optimum_s: Some(summary.optimum.duration_s),
+            gap: Some(summary.optimum.gap),
+            ratio: summary.verdict.ratio,
+        },
+        summary: as_json(&summary)?,
+        table: table::render(&summary),
+    })
 }
 
 pub(crate) fn progress(steps: u64) -> ProgressBar {

@@ -8,6 +8,7 @@ mod compare;
 mod compare_path;
 mod convergence;
 mod diagnostic;
+mod gallery;
 mod path_report;
 mod path_summary;
 mod report;

@@ -26,12 +26,10 @@ impl Page<'_> {
         let title = escape(self.title);
         let figures: String = self.figures.iter().map(figure).collect();
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} - slideway</title>\n\
-             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p>{}</p>\n\
+            "{}<h1>{title}</h1>\n<p>{}</p>\n\
              <p class=\"verdict {}\">{}</p>\n{}\n{figures}\n\
              <details><summary>The scenario file</summary><pre>{}</pre></details>\n</main>\n</body>\n</html>\n",
+            page_head(self.title),
             escape(self.description),
             if self.holds { "holds" } else { "fails" },
             escape(self.verdict),
@@ -39,6 +37,17 @@ impl Page<'_> {
             escape(self.scenario),
         )
     }
+}
+
+/// A page up to its content.
+pub(crate) fn page_head(title: &str) -> String {
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{} - slideway</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n",
+        escape(title)
+    )
 }
 
 /// The report of a comparison of speed laws.

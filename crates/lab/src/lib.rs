@@ -64,5 +64,7 @@ pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Pr
 pub use reference::{Reference, ToolReference};
 pub use robot::{MAX_JOINTS, robot_in};
 pub use sampled::{PathSample, SampledPath, SampledPiece};
-pub use scenario::{BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind};
+pub use scenario::{
+    BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Expectation, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind,
+};
 pub use trace::{Chatter, Sample, Trace};

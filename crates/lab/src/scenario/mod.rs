@@ -5,6 +5,7 @@ pub(crate) mod number;
 pub(crate) mod schema;
 
 use crate::error::{Fault, LabError};
+pub use schema::Expectation;
 use schema::ScenarioFile;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -158,6 +159,12 @@ impl Scenario {
     /// The key of the path's first point, for errors about it.
     pub(crate) fn path_start_key(&self) -> String {
         self.file.path.start_key()
+    }
+
+    /// The verdict that it is expected to get.
+    #[must_use]
+    pub fn expectation(&self) -> Expectation {
+        self.file.compare.expect
     }
 
     /// Default tolerance of the verdict, as a fraction.

@@ -2,7 +2,7 @@
 
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A whole scenario file.
@@ -257,4 +257,17 @@ pub(crate) struct OptimumTable {
 #[serde(deny_unknown_fields)]
 pub(crate) struct CompareTable {
     pub(crate) tolerance: Option<Number>,
+    #[serde(default)]
+    pub(crate) expect: Expectation,
+}
+
+/// The verdict that a scenario is expected to get: some are there to show where a law falls short.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Expectation {
+    /// The verdict holds.
+    #[default]
+    Holds,
+    /// It does not.
+    Fails,
 }
