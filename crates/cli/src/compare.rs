@@ -2,6 +2,7 @@ use crate::args::CompareArguments;
 use crate::commands::{Loaded, Outcome, load, print, scenario_error};
 use crate::compare_path::compare_conditioning;
 use crate::diagnostic::CliError;
+use crate::laws;
 use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
 use crate::verdict::Verdict;
 use crate::windows::{WindowEntry, windows};
@@ -9,7 +10,7 @@ use crate::{gallery, report, table};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
-use slideway_lab::{Experiment, LabError, SampledPath, Scenario, Trace};
+use slideway_lab::{Course, Experiment, LabError, SampledPath, Scenario, Trace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -97,10 +98,13 @@ fn compare_speed(name: &str, options: &CompareOptions, scenario: &Scenario, out:
     let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
+    let course = laws::optimum_course(&experiment, &solved.optimum).map_err(pointed)?;
+    summary.optimum_effort = course.effort();
+    summary.scaled_limits = laws::sweep_limits(&experiment, &path).map_err(pointed)?;
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
-    write(out, scenario, &experiment, &traces, &path, &solved.optimum, &summary)?;
+    write(out, &study, &traces, &solved.optimum, &course, &summary)?;
     progress.finish_and_clear();
     Ok(Compared {
         holds: summary.verdict.holds,
@@ -155,7 +159,8 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
     } else {
         None
     };
-    let method = |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), &entry);
+    let method =
+        |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), experiment.course(trace).effort(), &entry);
     let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
     let position_excesses = experiment.position_excesses();
     let verdict = Verdict::new(&methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
@@ -165,6 +170,8 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         methods,
         optimum: entry,
         optimum_speed_only: speed_only,
+        optimum_effort: None,
+        scaled_limits: Vec::new(),
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         position_excesses,
         look_ahead: Vec::new(),
@@ -195,13 +202,13 @@ pub(crate) fn create(
 
 fn write(
     out: &Path,
-    scenario: &Scenario,
-    experiment: &Experiment,
+    study: &Study<'_>,
     traces: &[Trace],
-    path: &SampledPath,
     optimum: &TimeOptimum,
+    course: &Course,
     summary: &Summary,
 ) -> Result<(), CliError> {
+    let Study { scenario, experiment, path, .. } = study;
     let figures_dir = write_summary(out, summary)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
@@ -223,6 +230,8 @@ fn write(
     if points.len() >= 2 {
         figures.push(draw_look_ahead(&LookAheadStudy { title: scenario.name(), points: &points }, &figures_dir)?);
     }
+    let sweep = &summary.scaled_limits;
+    figures.extend(laws::figures(scenario.name(), experiment, traces, course, path, sweep, &figures_dir)?);
     create(out.join("report.html"), |file| file.write_all(report::render_speed(summary, scenario, &figures).as_bytes()))
 }
 
