@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
-use crate::{compare, robot, sweep};
+use crate::{compare, reproduce, robot, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{
     BUILT_IN, CONDITIONING_TEMPLATE, Expectation, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind,
@@ -30,6 +30,7 @@ impl Outcome {
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::List => Ok(list()),

@@ -14,6 +14,7 @@ mod laws;
 mod path_report;
 mod path_summary;
 mod report;
+mod reproduce;
 mod robot;
 mod robot_state;
 mod summary;
