@@ -120,7 +120,7 @@ impl Reproduction {
         let mut text = format!("{} of {} values agree with what is printed", self.agreeing, self.rows.len());
         text += &format!("; {known} are known not to, each with its reason.");
         if self.lost > 0 {
-            text += &format!(" {} agreed before and no longer do.", self.lost);
+            text += &format!(" No longer agreeing: {}.", self.lost);
         }
         text
     }
