@@ -9,7 +9,7 @@ use crate::{gallery, report, table};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
-use slideway_lab::{Experiment, LabError, SampledPath, Scenario, Trace};
+use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -88,13 +88,14 @@ fn compare_speed(name: &str, options: &CompareOptions, scenario: &Scenario, out:
     let tolerance = options.tolerance.unwrap_or_else(|| scenario.tolerance());
     let pointed = |error: LabError| scenario_error(error, name, Some(scenario.text().to_owned()));
     let experiment = Experiment::new(scenario).map_err(pointed)?;
+    let judged = experiment.judged_method(scenario).map_err(pointed)?;
     let progress = progress(experiment.methods().len() as u64 + 2);
     let traces = run_methods(&experiment, &progress).map_err(pointed)?;
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
     let solved = Solved::new(&path, &finer, options.inter_sample)?;
-    let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer };
+    let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer, judged };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
     progress.inc(1);
@@ -142,10 +143,11 @@ struct Study<'a> {
     experiment: &'a Experiment,
     path: &'a SampledPath,
     finer: &'a SampledPath,
+    judged: Method,
 }
 
 fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f64) -> Result<Summary, CliError> {
-    let Study { scenario, experiment, path, finer } = study;
+    let Study { scenario, experiment, path, finer, judged } = study;
     let closed_form = path.speed_limited_time();
     let entry = OptimumEntry::new(solved, closed_form);
     let limits_more = path.pieces.iter().any(|piece| path.limits_acceleration(piece));
@@ -158,7 +160,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
     let method = |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), &entry);
     let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
     let position_excesses = experiment.position_excesses();
-    let verdict = Verdict::new(&methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
+    let verdict = Verdict::new(*judged, &methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
     Ok(Summary {
         scenario: scenario.name().to_owned(),
         description: scenario.description().to_owned(),

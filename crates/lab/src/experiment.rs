@@ -1,5 +1,5 @@
 use crate::acceleration::online_limits;
-use crate::error::LabError;
+use crate::error::{Fault, LabError};
 use crate::joint_path::JointPath;
 use crate::law::Method;
 use crate::limit_use::LimitUse;
@@ -92,6 +92,25 @@ impl Experiment {
     #[must_use]
     pub fn methods(&self) -> &'static [Method] {
         if self.any().limits_acceleration() { &Method::ALL } else { &Method::UNDER_SPEED_LIMITS }
+    }
+
+    /// The method that the verdict is about: the scenario's choice, else the look-ahead where it can be run, which keeps
+    /// acceleration limits as the optimum does, else the published sliding mode.
+    ///
+    /// # Errors
+    ///
+    /// A choice that cannot be run here.
+    pub fn judged_method(&self, scenario: &Scenario) -> Result<Method, LabError> {
+        let look_ahead = self.methods().contains(&Method::AccelerationLookAhead);
+        let default = if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let method = scenario.judged_method().unwrap_or(default);
+        if self.methods().contains(&method) {
+            return Ok(method);
+        }
+        let fault = Fault::Conflict(
+            "this method needs acceleration limits, the same along the whole path, and rest at both ends",
+        );
+        Err(LabError::value("compare.method", fault))
     }
 
     /// Runs one method.
