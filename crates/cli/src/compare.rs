@@ -7,7 +7,7 @@ use crate::verdict::Verdict;
 use crate::windows::{WindowEntry, windows};
 use crate::{gallery, report, table};
 use indicatif::{ProgressBar, ProgressStyle};
-use slideway_baselines::time_optimal::TimeOptimum;
+use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
 use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
 use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::fs;
@@ -94,7 +94,7 @@ fn compare_speed(name: &str, options: &CompareOptions, scenario: &Scenario, out:
     progress.set_message("solving for the optimum");
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
-    let solved = Solved::new(&path, &finer, options.inter_sample)?;
+    let solved = Solved::new(&path, &finer, options.inter_sample).map_err(|error| no_optimum(error, &path))?;
     let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer, judged };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
@@ -114,6 +114,14 @@ fn compare_speed(name: &str, options: &CompareOptions, scenario: &Scenario, out:
         summary: as_json(&summary)?,
         table: table::render(&summary),
     })
+}
+
+/// Tells by how much limits that no profile keeps would have to give way.
+fn no_optimum(error: OptimumError, path: &SampledPath) -> CliError {
+    match error {
+        OptimumError::Infeasible { .. } => CliError::Infeasible { widening: needed_widening(path), error },
+        error => error.into(),
+    }
 }
 
 pub(crate) fn progress(steps: u64) -> ProgressBar {
@@ -168,6 +176,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         optimum: entry,
         optimum_speed_only: speed_only,
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
+        spare_joints: experiment.spare_joints(),
         position_excesses,
         look_ahead: Vec::new(),
         verdict,

@@ -5,6 +5,7 @@ use crate::law::Method;
 use crate::limit_use::LimitUse;
 use crate::position_limits::PositionExcess;
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
+use crate::reference::Reference;
 use crate::robot::describe;
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
@@ -50,6 +51,7 @@ trait AnyJoints {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
     fn position_excesses(&self) -> Vec<PositionExcess>;
+    fn spare_joints(&self) -> usize;
 }
 
 impl Experiment {
@@ -170,6 +172,13 @@ impl Experiment {
         self.any().limit_use(trace)
     }
 
+    /// Joints beyond the coordinates that a path of the tool prescribes. Where there are any, the methods and the joint path of the
+    /// optimum take, of all joint motions, the smallest (pseudo-inverse): nothing else is asked of the spare ones.
+    #[must_use]
+    pub fn spare_joints(&self) -> usize {
+        self.any().spare_joints()
+    }
+
     /// The joints that leave their ranges along the path.
     #[must_use]
     pub fn position_excesses(&self) -> Vec<PositionExcess> {
@@ -234,5 +243,12 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn position_excesses(&self) -> Vec<PositionExcess> {
         self.problem.position_limits.excesses(&self.path)
+    }
+
+    fn spare_joints(&self) -> usize {
+        match &self.problem.path {
+            Reference::Tool(tool) => N.saturating_sub(tool.task.rows().len()),
+            Reference::Joint(_) => 0,
+        }
     }
 }
