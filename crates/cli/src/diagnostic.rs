@@ -108,7 +108,7 @@ impl CliError {
                      of half its range, there would be a profile",
                     short(100.0 * share)
                 ),
-                None => "change the path or its speed at the ends: no widening of the limits helps".into(),
+                None => "raise the limit named, or change the path or its speed at the ends there".into(),
             },
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
             Self::Sweep(failure) => failure.remedy(),
