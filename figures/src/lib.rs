@@ -11,6 +11,7 @@ mod canvas;
 mod chattering;
 mod conditioning;
 mod convergence;
+mod courses;
 mod direction_factor;
 mod error;
 mod errors;
@@ -18,6 +19,7 @@ mod escape_times;
 mod facts;
 mod joint_speeds;
 mod look_ahead;
+mod mean_speed;
 mod multiples;
 mod panel;
 mod path_rate;
@@ -32,9 +34,11 @@ mod tool_path;
 
 pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
 pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
+pub use courses::{CourseLaw, CourseStudy, NamedCourse, draw_courses};
 pub use error::FigureError;
 pub use escape_times::{EscapeStudy, EscapeVariant, draw_escape_times};
 pub use look_ahead::{LookAheadPoint, LookAheadStudy, draw_look_ahead};
+pub use mean_speed::{MeanSpeedLine, MeanSpeedStudy, draw_mean_speed};
 pub use render::Rendered;
 pub use study::{Optimum, SpeedStudy};
 

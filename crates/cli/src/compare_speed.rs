@@ -1,5 +1,6 @@
 use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::diagnostic::CliError;
+use crate::laws;
 use crate::loaded::scenario_error;
 use crate::output::{as_json, create, progress, write_summary};
 use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
@@ -9,7 +10,7 @@ use crate::{report, table};
 use indicatif::ProgressBar;
 use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
 use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
-use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use slideway_lab::{Course, Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::path::Path;
 
 /// Samples between grid points at which violations are looked for.
@@ -35,10 +36,13 @@ pub(crate) fn compare_speed(
     let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer, judged };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
+    let course = laws::optimum_course(&experiment, &solved.optimum).map_err(pointed)?;
+    summary.optimum_effort = course.effort();
+    summary.scaled_limits = laws::sweep_limits(&experiment, &path).map_err(pointed)?;
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
-    write(out, scenario, &experiment, &traces, &path, &solved.optimum, &summary)?;
+    write(out, &study, &traces, &solved.optimum, &course, &summary)?;
     progress.finish_and_clear();
     Ok(Compared {
         holds: summary.verdict.holds,
@@ -94,7 +98,8 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
     } else {
         None
     };
-    let method = |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), &entry);
+    let method =
+        |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), experiment.course(trace).effort(), &entry);
     let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
     let position_excesses = experiment.position_excesses();
     let verdict = Verdict::new(*judged, &methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
@@ -104,6 +109,8 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         methods,
         optimum: entry,
         optimum_speed_only: speed_only,
+        optimum_effort: None,
+        scaled_limits: Vec::new(),
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         spare_joints: experiment.spare_joints(),
         position_excesses,
@@ -114,13 +121,13 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
 
 fn write(
     out: &Path,
-    scenario: &Scenario,
-    experiment: &Experiment,
+    study: &Study<'_>,
     traces: &[Trace],
-    path: &SampledPath,
     optimum: &TimeOptimum,
+    course: &Course,
     summary: &Summary,
 ) -> Result<(), CliError> {
+    let Study { scenario, experiment, path, .. } = study;
     let figures_dir = write_summary(out, summary)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
@@ -142,6 +149,8 @@ fn write(
     if points.len() >= 2 {
         figures.push(draw_look_ahead(&LookAheadStudy { title: scenario.name(), points: &points }, &figures_dir)?);
     }
+    let sweep = &summary.scaled_limits;
+    figures.extend(laws::figures(scenario.name(), experiment, traces, course, path, sweep, &figures_dir)?);
     create(out.join("report.html"), |file| file.write_all(report::render_speed(summary, scenario, &figures).as_bytes()))
 }
 

@@ -1,3 +1,4 @@
+use crate::effort_table;
 use crate::summary::{MethodEntry, Summary};
 use crate::table::short;
 use crate::windows::WindowEntry;
@@ -57,7 +58,10 @@ pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Re
         description: &summary.description,
         holds: summary.verdict.holds,
         verdict: &summary.verdict.sentence,
-        body: methods(&summary.methods) + &optimum(summary) + &windows(&summary.look_ahead),
+        body: methods(&summary.methods)
+            + &effort_table::render_html(summary)
+            + &optimum(summary)
+            + &windows(&summary.look_ahead),
         figures,
         scenario: scenario.text(),
     };

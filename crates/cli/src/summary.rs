@@ -1,10 +1,11 @@
+use crate::laws::ScaledLimits;
 use crate::verdict::Verdict;
 use crate::windows::WindowEntry;
 use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
+use slideway_lab::{Effort, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -19,6 +20,10 @@ pub(crate) struct Summary {
     pub(crate) optimum: OptimumEntry,
     /// The optimum under the speed limits alone, where the scenario limits accelerations too.
     pub(crate) optimum_speed_only: Option<OptimumEntry>,
+    /// What the optimum costs the drives.
+    pub(crate) optimum_effort: Option<Effort>,
+    /// Mean speeds under other joint-speed limits; empty unless the scenario has a `[natural]` table.
+    pub(crate) scaled_limits: Vec<ScaledLimits>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
     /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).
@@ -46,6 +51,10 @@ pub(crate) struct MethodEntry {
     pub(crate) reference_ratio: Option<f64>,
     /// The largest use of each kind of limit that the scenario gives, besides constant joint-speed limits.
     pub(crate) limit_use: Vec<LimitUse>,
+    /// Mean speed over the optimum's, `1 / ratio`.
+    pub(crate) relative_speed: Option<f64>,
+    /// What it costs the drives, over the middle nine tenths of the path.
+    pub(crate) effort: Option<Effort>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,
 }
@@ -176,7 +185,7 @@ impl Solved {
 }
 
 impl MethodEntry {
-    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, optimum: &OptimumEntry) -> Self {
+    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, effort: Option<Effort>, optimum: &OptimumEntry) -> Self {
         let summary = MethodSummary::new(trace);
         let travel_s = summary.travel_s();
         let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
@@ -186,6 +195,8 @@ impl MethodEntry {
             ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
             reference_ratio: reference.map(|t| t / optimum.duration_s),
             limit_use,
+            relative_speed: travel_s.map(|t| optimum.duration_s / t),
+            effort,
             knows: summary.method.knows(),
             summary,
         }

@@ -1,3 +1,4 @@
+use crate::effort_table;
 use crate::summary::{MethodEntry, OptimumEntry, Summary};
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 
@@ -23,8 +24,9 @@ pub(crate) fn render(summary: &Summary) -> String {
         column.set_cell_alignment(CellAlignment::Right);
     }
     format!(
-        "{}\n{table}\n{}\n{}{}\n{}\n",
+        "{}\n{table}\n{}{}\n{}{}\n{}\n",
         heading(summary),
+        effort_table::render(summary),
         limit_use(summary),
         optimum(summary),
         windows(summary),

@@ -13,6 +13,7 @@
 mod acceleration;
 pub mod conditioning;
 mod controller;
+mod course;
 pub mod curve;
 mod dynamic_limits;
 mod error;
@@ -27,6 +28,7 @@ mod limit_reader;
 mod limit_use;
 mod limits;
 mod metrics;
+mod motion;
 pub mod natural;
 mod orientation;
 mod path;
@@ -47,6 +49,7 @@ mod tracing;
 mod waypoint_reader;
 
 pub use controller::Demand;
+pub use course::{Course, CourseSample, Effort, ProfilePoint};
 pub use dynamic_limits::{ToolLimits, TorqueLimits};
 pub use error::{Fault, LabError};
 pub use experiment::Experiment;

@@ -9,6 +9,7 @@
 //!
 //! [`NaturalProblem::from_scenario`] takes robot and path from a scenario. [`table_1`] and [`table_2`] repeat the paper's tables.
 
+mod comparison;
 mod control;
 mod follow;
 mod from_scenario;
@@ -22,6 +23,7 @@ mod survey;
 mod table_1;
 mod table_2;
 
+pub(crate) use comparison::NaturalLaws;
 pub use control::{ControlRun, Controller, TrackingError};
 pub use follow::{NaturalSample, NaturalTrace, Run};
 pub use law::{Ramp, RampValue, SpeedLaw};

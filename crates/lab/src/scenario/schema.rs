@@ -20,6 +20,7 @@ pub(crate) struct ScenarioFile {
     pub(crate) control: ControlTable,
     #[serde(default)]
     pub(crate) fixed_speed: FixedSpeedTable,
+    pub(crate) natural: Option<NaturalTable>,
     #[serde(default)]
     pub(crate) optimum: OptimumTable,
     #[serde(default)]
@@ -246,6 +247,27 @@ pub(crate) enum IntegrationName {
     #[default]
     Euler,
     Rk4,
+}
+
+/// Constant speed and natural motion beside the other methods.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct NaturalTable {
+    #[serde(default)]
+    pub(crate) factor: FactorName,
+    pub(crate) share: Option<Number>,
+    pub(crate) rise: Option<Number>,
+}
+
+/// What natural motion's speed is proportional to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum FactorName {
+    /// The determinant of the Jacobian.
+    #[default]
+    Determinant,
+    /// The determinant without the part of a spherical wrist.
+    Arm,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
