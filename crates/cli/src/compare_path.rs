@@ -1,7 +1,8 @@
-use crate::commands::scenario_error;
-use crate::compare::{CompareOptions, Compared, KeyFigures, as_json, create, progress, write_summary};
+use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::convergence::{Convergence, convergence};
 use crate::diagnostic::CliError;
+use crate::loaded::scenario_error;
+use crate::output::{as_json, create, progress, write_summary};
 use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};

@@ -1,8 +1,9 @@
 //! Every built-in scenario, one page.
 
-use crate::commands::{Loaded, Outcome, print, scenario_error};
-use crate::compare::{CompareOptions, Compared, KeyFigures, compare, create, progress};
+use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::diagnostic::CliError;
+use crate::loaded::{Loaded, scenario_error};
+use crate::output::{Outcome, create, print, progress};
 use crate::report::{escape, page_head};
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 use serde::Serialize;
@@ -29,8 +30,11 @@ struct Gallery {
     all_as_expected: bool,
 }
 
+/// How a scenario is compared and written into a folder.
+pub(crate) type Comparer = fn(&Loaded, &str, &CompareOptions, &Path) -> Result<Compared, CliError>;
+
 /// Compares on every built-in scenario, into a folder each, and writes `index.html` and `summary.json` about them all.
-pub(crate) fn run(options: &CompareOptions, out: &Path, json: bool) -> Result<Outcome, CliError> {
+pub(crate) fn run(options: &CompareOptions, out: &Path, json: bool, compare: Comparer) -> Result<Outcome, CliError> {
     let bar = progress(BUILT_IN.len() as u64);
     let mut scenarios = Vec::new();
     for built_in in &BUILT_IN {

@@ -1,5 +1,5 @@
 use crate::effort_table;
-use crate::summary::{MethodEntry, Summary, excess_in_words};
+use crate::summary::{MethodEntry, Summary};
 use crate::table::short;
 use crate::windows::WindowEntry;
 use slideway_figures::Rendered;
@@ -167,15 +167,8 @@ fn optimum(summary: &Summary) -> String {
         .optimum_speed_only
         .as_ref()
         .map_or_else(String::new, |o| block("The optimum under speed limits alone", o));
-    let excesses: String = summary
-        .position_excesses
-        .iter()
-        .map(|excess| {
-            format!("<li>{}; ranges of joints are reported, not enforced</li>", escape(&excess_in_words(excess)))
-        })
-        .collect();
-    let notes =
-        if excesses.is_empty() { excesses } else { format!("<h2>Ranges of the joints</h2>\n<ul>{excesses}</ul>\n") };
+    let notes: String = summary.notes().iter().map(|note| format!("<li>{}</li>", escape(note))).collect();
+    let notes = if notes.is_empty() { notes } else { format!("<h2>The joint path</h2>\n<ul>{notes}</ul>\n") };
     limit_use(summary) + &main + &speed_only + &notes
 }
 

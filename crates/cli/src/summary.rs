@@ -26,6 +26,8 @@ pub(crate) struct Summary {
     pub(crate) scaled_limits: Vec<ScaledLimits>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
+    /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).
+    pub(crate) spare_joints: usize,
     /// Joints that leave their position ranges along the path.
     pub(crate) position_excesses: Vec<PositionExcess>,
     /// The look-ahead with windows of several lengths; empty without acceleration limits.
@@ -108,6 +110,21 @@ impl From<Violation> for BetweenNodes {
     }
 }
 
+impl Summary {
+    /// Remarks on the joint path, in words.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let spare = (self.spare_joints > 0).then(|| {
+            format!(
+                "{} more than the path prescribes: of all joint motions the smallest is taken (pseudo-inverse), by every method and \
+                 by the joint path of the optimum",
+                if self.spare_joints == 1 { "one joint".into() } else { format!("{} joints", self.spare_joints) }
+            )
+        });
+        let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
+        spare.into_iter().chain(self.position_excesses.iter().map(outside)).collect()
+    }
+}
+
 /// A joint that leaves its range, in words.
 pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
     let PositionExcess { joint, lambda, position, lower, upper, .. } = excess;
@@ -154,14 +171,15 @@ pub(crate) struct Solved {
 impl Solved {
     /// Solves on a path, and on one twice as fine; with a tolerance, limits are kept between grid points as well.
     pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
-        let refined_s = time_optimum(finer)?.duration_s;
         let Some(tolerance) = tolerance else {
             let optimum = time_optimum(path)?;
             let reachable_s = reachable_profile(path)?.duration_s;
+            let refined_s = time_optimum(finer)?.duration_s;
             return Ok(Self { optimum, inter_sample_tolerance: None, refining_samples: 0, reachable_s, refined_s });
         };
         let Refined { result: optimum, added, .. } = refine_optimum(path, tolerance)?;
         let reachable_s = refine_profile(path, tolerance)?.result.duration_s;
+        let refined_s = time_optimum(finer)?.duration_s;
         Ok(Self { optimum, inter_sample_tolerance: Some(tolerance), refining_samples: added, reachable_s, refined_s })
     }
 }

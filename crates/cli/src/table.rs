@@ -1,5 +1,5 @@
 use crate::effort_table;
-use crate::summary::{MethodEntry, OptimumEntry, Summary, excess_in_words};
+use crate::summary::{MethodEntry, OptimumEntry, Summary};
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 
 /// The comparison as a table with what it means, for a terminal.
@@ -112,8 +112,8 @@ fn limit_use(summary: &Summary) -> String {
 
 fn optimum(summary: &Summary) -> String {
     let mut text = optimum_line("optimum T*", &summary.optimum);
-    for excess in &summary.position_excesses {
-        text += &format!("note: {}; ranges of joints are reported, not enforced\n", excess_in_words(excess));
+    for note in summary.notes() {
+        text += &format!("note: {note}\n");
     }
     if let Some(speed_only) = &summary.optimum_speed_only {
         text += &optimum_line("under speed limits alone", speed_only);

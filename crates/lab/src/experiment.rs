@@ -8,6 +8,7 @@ use crate::motion::{course_along, course_of};
 use crate::natural::NaturalLaws;
 use crate::position_limits::PositionExcess;
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
+use crate::reference::Reference;
 use crate::robot::{describe, robot_key};
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
@@ -62,6 +63,7 @@ trait AnyJoints {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
     fn position_excesses(&self) -> Vec<PositionExcess>;
+    fn spare_joints(&self) -> usize;
 }
 
 impl Experiment {
@@ -149,6 +151,25 @@ impl Experiment {
         self.any().course_along(profile)
     }
 
+    /// The method that the verdict is about: the scenario's choice, else the look-ahead where it can be run, which keeps
+    /// acceleration limits as the optimum does, else the published sliding mode.
+    ///
+    /// # Errors
+    ///
+    /// A choice that cannot be run here.
+    pub fn judged_method(&self, scenario: &Scenario) -> Result<Method, LabError> {
+        let look_ahead = self.methods().contains(&Method::AccelerationLookAhead);
+        let default = if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let method = scenario.judged_method().unwrap_or(default);
+        if self.methods().contains(&method) {
+            return Ok(method);
+        }
+        let fault = Fault::Conflict(
+            "this method needs acceleration limits, the same along the whole path, and rest at both ends",
+        );
+        Err(LabError::value("compare.method", fault))
+    }
+
     /// Runs one method.
     ///
     /// # Errors
@@ -204,6 +225,13 @@ impl Experiment {
     #[must_use]
     pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
         self.any().limit_use(trace)
+    }
+
+    /// Joints beyond the coordinates that a path of the tool prescribes. Where there are any, the methods and the joint path of the
+    /// optimum take, of all joint motions, the smallest (pseudo-inverse): nothing else is asked of the spare ones.
+    #[must_use]
+    pub fn spare_joints(&self) -> usize {
+        self.any().spare_joints()
     }
 
     /// The joints that leave their ranges along the path.
@@ -300,5 +328,12 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn position_excesses(&self) -> Vec<PositionExcess> {
         self.problem.position_limits.excesses(&self.path)
+    }
+
+    fn spare_joints(&self) -> usize {
+        match &self.problem.path {
+            Reference::Tool(tool) => N.saturating_sub(tool.task.rows().len()),
+            Reference::Joint(_) => 0,
+        }
     }
 }

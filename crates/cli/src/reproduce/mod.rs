@@ -7,9 +7,11 @@ mod speed_facts;
 mod speed_table;
 
 use crate::args::{ReproduceArguments, Source};
-use crate::commands::{Outcome, print};
-use crate::compare::{CompareOptions, compare, create, progress};
+use crate::compare::compare;
+use crate::compared::CompareOptions;
 use crate::diagnostic::CliError;
+use crate::loaded::load;
+use crate::output::{Outcome, create, print, progress};
 use crate::table::short;
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use serde::Serialize;
@@ -152,9 +154,9 @@ impl Row {
             (*source).to_owned(),
             case.clone(),
             if unit.is_empty() { (*quantity).to_owned() } else { format!("{quantity} [{unit}]") },
-            format!("{paper}"),
+            Some(format!("{paper}")).filter(|digits| digits.len() < 9).unwrap_or_else(|| short(*paper)),
             ours.map_or("-".to_owned(), short),
-            self.difference.map_or("-".to_owned(), |d| format!("{:+.2} %", 100.0 * d)),
+            self.difference.filter(|_| !unit.is_empty()).map_or("-".to_owned(), |d| format!("{:+.2} %", 100.0 * d)),
             agrees.to_owned(),
             (*remark).to_owned(),
         ]
@@ -165,7 +167,7 @@ impl Row {
 fn write(reproduction: &Reproduction, out: &Path) -> Result<(), CliError> {
     let options = CompareOptions { tolerance: None, inter_sample: None };
     for (name, _) in page::SHOWN {
-        compare(&crate::commands::load(name)?, name, &options, &out.join(name))?;
+        compare(&load(name)?, name, &options, &out.join(name))?;
     }
     create(out.join("reproduction.json"), |file| Ok(serde_json::to_writer_pretty(file, reproduction)?))?;
     let text = page::render(reproduction, out)?;

@@ -26,9 +26,8 @@ pub(super) fn render(reproduction: &Reproduction, out: &Path) -> Result<String, 
         }
     }
     Ok(format!(
-        "{}<h1>What the papers print, and what comes out here</h1>\n<p class=\"verdict {}\">{}</p>\n<div class=\"wide\"><table>\n\
-         <thead><tr><th>source</th><th>case</th><th>quantity</th><th>paper</th><th>ours</th><th>difference</th><th>agrees</th>\
-         <th>remark</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
+        "{}<h1>What the papers print, and what comes out here</h1>\n<p class=\"verdict {}\">{}</p>\n<div class=\"wide\"><table class=\"facts\">\n\
+         <thead><tr><th>source</th><th>case</th><th>quantity</th><th>paper</th><th>ours</th><th>difference</th><th>agrees</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
          <p class=\"note\">Agreement is to one unit of the last printed digit unless the remark says otherwise.</p>\n\
          {figures}</main>\n</body>\n</html>\n",
         page_head("Reproduction"),
@@ -37,7 +36,14 @@ pub(super) fn render(reproduction: &Reproduction, out: &Path) -> Result<String, 
     ))
 }
 
+/// A row, and under it the remark, if there is one.
 fn row(row: &Row) -> String {
-    let cells: String = row.cells().iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
-    format!("<tr>{cells}</tr>\n")
+    let [cells @ .., remark] = row.cells().map(|cell| escape(&cell));
+    let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
+    let words = if remark.is_empty() {
+        remark
+    } else {
+        format!("<tr class=\"words\"><td></td><td colspan=\"6\">{remark}</td></tr>\n")
+    };
+    format!("<tr>{cells}</tr>\n{words}")
 }

@@ -2,6 +2,7 @@
 
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
+use crate::law::Method;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -23,7 +24,7 @@ pub(crate) struct ScenarioFile {
     #[serde(default)]
     pub(crate) optimum: OptimumTable,
     #[serde(default)]
-    pub(crate) compare: CompareTable,
+    pub(crate) compare: SpeedCompareTable,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -273,6 +274,15 @@ pub(crate) enum FactorName {
 #[serde(deny_unknown_fields)]
 pub(crate) struct OptimumTable {
     pub(crate) grid_points: Option<u32>,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SpeedCompareTable {
+    pub(crate) method: Option<Method>,
+    pub(crate) tolerance: Option<Number>,
+    #[serde(default)]
+    pub(crate) expect: Expectation,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
