@@ -75,7 +75,7 @@ impl Figure for MeanSpeed<'_> {
     fn caption(&self) -> String {
         format!(
             "{}: mean speed of the tool on the path against the largest joint speed allowed. Constant speed, natural motion and \
-             the optimum are proportional to the limit; the sliding mode, with one setting for all limits, follows the optimum. A \
+             the optimum are proportional to the limit; the sliding mode, its target rate scaled with the limits and its bandwidth left as it is, follows the optimum. A \
              point above the optimum means that the robot left the path, which the optimum may not.",
             self.0.title
         )

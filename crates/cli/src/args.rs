@@ -19,6 +19,10 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
     Compare(CompareArguments),
+    /// Put the papers' tables and figures beside what comes out here: value, difference, agreement, remark.
+    ///
+    /// Exit status: 0 everything that is known to agree does, 1 something no longer does.
+    Reproduce(ReproduceArguments),
     /// Print pose, Jacobian and dynamics of a robot at one state.
     ///
     /// The PUMA-560's base frame sits at its shoulder, as in `[G11]`; on its pedestal poses would be 0.67183 m higher.
@@ -52,6 +56,38 @@ pub(crate) enum Kind {
     Speed,
     /// A reference that is kept inside constraints.
     Conditioning,
+}
+
+/// Published tables and figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Source {
+    /// Table I of `[N]`: the two-joint limb under natural motion and constant speed.
+    #[value(name = "table-1")]
+    Table1,
+    /// Table II of `[N]`: the PA-10.
+    #[value(name = "table-2")]
+    Table2,
+    /// Table 1 of `[G11]`: errors of the speed laws on the helix.
+    #[value(name = "speed-table-1")]
+    SpeedTable1,
+    /// What figures and text of the papers say in numbers.
+    Figures,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReproduceArguments {
+    /// What to reproduce.
+    #[arg(value_enum, required_unless_present = "all", conflicts_with = "all")]
+    pub(crate) source: Option<Source>,
+    /// Reproduce everything, and write a page with the figures.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Where `--all` writes.
+    #[arg(long, value_name = "DIR", default_value = "out/reproduce", requires = "all")]
+    pub(crate) out: PathBuf,
+    /// Print JSON instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -2,7 +2,7 @@ use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
 use crate::loaded::{Loaded, unknown};
 use crate::output::{Outcome, print};
-use crate::{compare, robot, sweep};
+use crate::{compare, reproduce, robot, sweep};
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
 use std::io::Write as _;
@@ -11,6 +11,7 @@ use std::path::Path;
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::List => Ok(list()),

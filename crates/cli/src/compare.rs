@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
 }
 
 /// Runs every method on a scenario and writes traces, figures, summary and report.
-fn compare(loaded: &Loaded, name: &str, options: &CompareOptions, out: &Path) -> Result<Compared, CliError> {
+pub(crate) fn compare(loaded: &Loaded, name: &str, options: &CompareOptions, out: &Path) -> Result<Compared, CliError> {
     match loaded {
         Loaded::Speed(scenario) => compare_speed(name, options, scenario, out),
         Loaded::Conditioning(scenario) => compare_conditioning(name, options, scenario, out),

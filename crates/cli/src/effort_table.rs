@@ -15,7 +15,7 @@ const HEADER: [&str; 6] = [
     "energy\n[J]",
 ];
 
-const NOTE: &str = "Effort counts over the middle nine tenths of the path, where no method starts or stops. Energy is the \
+const NOTE: &str = "Effort counts once a regulated method, which starts from rest, has reached a limit; the others start at full speed. Energy is the \
 integral of Σ|τ q̇|; torques are those of the rigid bodies; a commanded speed that chatters counts with its change over a sample.";
 
 /// Whether the scenario asks for the comparison with the laws of `[N]`.

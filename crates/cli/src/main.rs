@@ -18,6 +18,7 @@ mod output;
 mod path_report;
 mod path_summary;
 mod report;
+mod reproduce;
 mod robot;
 mod robot_state;
 mod summary;

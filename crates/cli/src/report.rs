@@ -173,14 +173,14 @@ fn optimum(summary: &Summary) -> String {
 }
 
 fn figure(figure: &Rendered) -> String {
-    // The figures' own colours of paper, ink and grid become the page's, so that they follow the reader's colour scheme.
-    let svg = figure
-        .svg
-        .replace("#FFFFFF", "var(--paper)")
-        .replace("#1A1A1A", "var(--ink)")
-        .replace("#D9D9D9", "var(--grid)");
-    let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
-    format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(&figure.caption))
+    format!("<figure>{}<figcaption>{}</figcaption></figure>\n", inline_svg(&figure.svg), escape(&figure.caption))
+}
+
+/// A figure's SVG as part of a page: its own colours of paper, ink and grid become the page's, so that they follow the
+/// reader's colour scheme.
+pub(crate) fn inline_svg(svg: &str) -> String {
+    let svg = svg.replace("#FFFFFF", "var(--paper)").replace("#1A1A1A", "var(--ink)").replace("#D9D9D9", "var(--grid)");
+    svg.find("<svg").map_or(svg.clone(), |start| svg[start..].to_owned())
 }
 
 pub(crate) fn escape(text: &str) -> String {

@@ -53,7 +53,7 @@ pub(crate) struct MethodEntry {
     pub(crate) limit_use: Vec<LimitUse>,
     /// Mean speed over the optimum's, `1 / ratio`.
     pub(crate) relative_speed: Option<f64>,
-    /// What it costs the drives, over the middle nine tenths of the path.
+    /// What it costs the drives once under way.
     pub(crate) effort: Option<Effort>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,

@@ -9,6 +9,8 @@ pub struct Course {
     pub joints: usize,
     /// Path parameter from the path's start to its end.
     pub path: Range<f64>,
+    /// When a regulated method, which starts from rest, first reaches a limit, s; 0 for what starts at full speed.
+    pub settled_s: f64,
     /// The intervals, in order.
     pub samples: Vec<CourseSample>,
 }
@@ -45,11 +47,8 @@ pub struct ProfilePoint {
     pub t: f64,
 }
 
-/// Share of the path left out at each end of what is measured.
-const END: f64 = 0.05;
-
-/// What a run costs the drives, over the middle nine tenths of the path: a method that starts at full speed, one that starts
-/// from rest and one that stops at the end are measured alike there.
+/// What a run costs the drives once it is under way: a regulated method counts from the moment when it first reaches a limit, so
+/// that its start from rest is not held against it beside those that start at full speed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
     /// Largest joint speed, rad/s.
@@ -64,12 +63,15 @@ pub struct Effort {
 }
 
 impl Course {
-    /// The effort; `None` where the run has nothing in the middle of the path.
+    /// The samples from the moment when the run has reached a limit.
+    pub fn under_way(&self) -> impl Iterator<Item = &CourseSample> {
+        self.samples.iter().filter(|s| s.t >= self.settled_s)
+    }
+
+    /// The effort; `None` where the run never gets under way.
     #[must_use]
     pub fn effort(&self) -> Option<Effort> {
-        let margin = END * (self.path.end - self.path.start);
-        let inside = self.path.start + margin..self.path.end - margin;
-        let samples: Vec<&CourseSample> = self.samples.iter().filter(|s| inside.contains(&s.lambda)).collect();
+        let samples: Vec<&CourseSample> = self.under_way().collect();
         let seconds: f64 = samples.iter().map(|s| s.dt).sum();
         if !(seconds > 0.0) {
             return None;

@@ -123,7 +123,8 @@ impl Experiment {
         Method::ALL.into_iter().filter(runs).collect()
     }
 
-    /// The same experiment with every joint-speed limit multiplied by a number.
+    /// The same experiment with every joint-speed limit and the target rate multiplied by a number: what the regulator sees of the path
+    /// stays in proportion.
     ///
     /// # Errors
     ///
@@ -272,6 +273,7 @@ impl<const N: usize> AnyJoints for Traced<N> {
         let (lower, upper) = (self.problem.speed_limits.lower(), self.problem.speed_limits.upper());
         let scaled = SpeedLimits::new(lower.map(|l| by * l), upper.map(|u| by * u));
         self.problem.speed_limits = scaled.map_err(|error| LabError::value("limits.speed", error))?;
+        self.problem.control.target_rate *= by;
         Ok(())
     }
 

@@ -38,6 +38,7 @@ mod poses;
 mod position;
 mod position_limits;
 mod problem;
+mod published;
 mod reference;
 mod robot;
 mod sampled;
@@ -64,6 +65,7 @@ pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSumma
 pub use path::{CartesianPath, EulerPoint, PathPoint};
 pub use position_limits::{PositionExcess, PositionLimits, PositionSource};
 pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Problem};
+pub use published::{Agreement, Published};
 pub use reference::{Reference, ToolReference};
 pub use robot::{MAX_JOINTS, robot_in};
 pub use sampled::{PathSample, SampledPath, SampledPiece};

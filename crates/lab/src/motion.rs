@@ -6,6 +6,9 @@ use crate::simulate::pad;
 use crate::trace::{Sample, Trace};
 use slideway_robot::{Dynamics, JointVector};
 
+/// Use of a speed limit from which a joint counts as at it.
+const AT_LIMIT: f64 = 0.99;
+
 /// A state of the joints at one time.
 #[derive(Clone, Copy)]
 struct Moment<const N: usize> {
@@ -41,10 +44,15 @@ impl<const N: usize> Moment<N> {
 pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&Dynamics<N>>, trace: &Trace) -> Course {
     let following = trace.following();
     let start = following.iter().position(|s| s.path_rate > 0.0).unwrap_or(following.len());
-    let moments: Vec<Moment<N>> = following[start..].iter().map(Moment::of).collect();
+    // The last sample of a regulated run is cut short at the path's end: its command is not one of the law's.
+    let end = if trace.method.is_regulated() { following.len().saturating_sub(1).max(start) } else { following.len() };
+    let moving = &following[start..end];
+    let settled = moving.iter().find(|s| trace.method.is_regulated() && s.limit_ratio >= AT_LIMIT);
+    let moments: Vec<Moment<N>> = moving.iter().map(Moment::of).collect();
     Course {
         joints: N,
         path: problem.path.start()..problem.path.end(),
+        settled_s: settled.map_or(0.0, |s| s.t),
         samples: moments.windows(2).map(|w| w[0].on_to(&w[1], dynamics)).collect(),
     }
 }
@@ -67,5 +75,5 @@ pub(crate) fn course_along<const N: usize>(
             samples.push(moment(&pair[0])?.on_to(&moment(&pair[1])?, dynamics));
         }
     }
-    Ok(Course { joints: N, path: problem.path.start()..problem.path.end(), samples })
+    Ok(Course { joints: N, path: problem.path.start()..problem.path.end(), settled_s: 0.0, samples })
 }

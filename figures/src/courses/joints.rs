@@ -68,7 +68,7 @@ impl Figure for JointTorquesAlongPath<'_> {
         };
         Header {
             heading: format!("Joint torques along the path – {}", self.0.title),
-            message: "In brackets: peak torque over the middle nine tenths of the path.".into(),
+            message: "In brackets: peak torque once under way.".into(),
             legend: legend(self.0, peak),
         }
     }
@@ -94,16 +94,9 @@ fn share_at_limit(study: &CourseStudy, named: &NamedCourse) -> f64 {
     named.course.samples.iter().filter(is_at).map(|s| s.dt).sum::<f64>() / named.seconds()
 }
 
-/// Range of a panel: all of what happens in the middle of the path, where no law starts or stops.
+/// Range of a panel: all of what happens once a law is under way.
 fn range(study: &CourseStudy, joint: usize, levels: &[f64], value: impl Fn(&CourseSample, usize) -> f64) -> Range<f64> {
-    let inside = |c: &NamedCourse| {
-        let margin = 0.05 * (c.course.path.end - c.course.path.start);
-        c.course.path.start + margin..c.course.path.end - margin
-    };
-    let values = study.courses.iter().flat_map(|c| {
-        let inside = inside(c);
-        c.course.samples.iter().filter(move |s| inside.contains(&s.lambda)).map(|s| value(s, joint)).collect::<Vec<_>>()
-    });
+    let values = study.courses.iter().flat_map(|c| c.course.under_way()).map(|s| value(s, joint));
     let range = span(values.chain(levels.iter().copied()));
     let room = 0.08 * (range.end - range.start).max(1e-9 * largest([range.end, -range.start]));
     range.start - room..range.end + room
