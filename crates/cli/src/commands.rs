@@ -1,9 +1,10 @@
 use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
-use crate::{compare, robot, sweep};
+use crate::{compare, robot, study, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use slideway_robot::models::Model;
+use slideway_study::Study;
 use std::io::Write as _;
 use std::path::Path;
 
@@ -30,6 +31,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
@@ -49,11 +51,12 @@ fn list() -> Outcome {
     let robot = |model: Model| (model.name(), model.summary().to_owned());
     let scenarios: Vec<(&str, String)> = BUILT_IN.iter().map(scenario).collect();
     let robots: Vec<(&str, String)> = Model::ALL.into_iter().map(robot).collect();
-    let width = scenarios.iter().chain(&robots).map(|(name, _)| name.len()).max().unwrap_or(0);
+    let studies: Vec<(&str, String)> = Study::ALL.into_iter().map(|s| (s.name(), s.summary().to_owned())).collect();
+    let width = scenarios.iter().chain(&robots).chain(&studies).map(|(name, _)| name.len()).max().unwrap_or(0);
     let lines = |entries: &[(&str, String)]| -> String {
         entries.iter().map(|(name, description)| format!("  {name:width$}  {description}\n")).collect()
     };
-    print(&format!("scenarios\n{}robots\n{}", lines(&scenarios), lines(&robots)));
+    print(&format!("scenarios\n{}robots\n{}studies\n{}", lines(&scenarios), lines(&robots), lines(&studies)));
     Outcome::Holds
 }
 

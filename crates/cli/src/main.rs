@@ -13,6 +13,7 @@ mod path_summary;
 mod report;
 mod robot;
 mod robot_state;
+mod study;
 mod summary;
 mod sweep;
 mod sweep_error;

@@ -1,0 +1,48 @@
+use crate::{Report, StudyError, interrupts};
+
+/// A study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Study {
+    /// The four ways to interrupt a motion.
+    Interrupts,
+}
+
+impl Study {
+    /// All of them.
+    pub const ALL: [Self; 1] = [Self::Interrupts];
+
+    /// The name by which it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Interrupts => "interrupts",
+        }
+    }
+
+    /// What it is about, in one line.
+    #[must_use]
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::Interrupts => {
+                "a path broken off in four ways: at a way-point, on the path, at full brake, for a new target"
+            }
+        }
+    }
+
+    /// The study of a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|study| study.name() == name)
+    }
+}
+
+/// Runs a study. `seed` is that of its noise, in studies that have any.
+///
+/// # Errors
+///
+/// A motion that was refused or that does not end.
+pub fn run(study: Study, _seed: u64) -> Result<Report, StudyError> {
+    match study {
+        Study::Interrupts => interrupts::run(),
+    }
+}
