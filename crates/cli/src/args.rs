@@ -32,7 +32,11 @@ pub(crate) enum Command {
     /// A sweep that was interrupted goes on where it stopped when the same command is given again. The rows do not depend on
     /// the number of jobs. Exit status: 0 no run failed, 1 some did not complete or broke a constraint, 2 the input is wrong.
     Sweep(SweepArguments),
-    /// Show the built-in scenarios and robots.
+    /// Run a study of the arm controller: what it found in numbers, a figure and a report.
+    ///
+    /// Exit status: 0 the study found what it claims, 1 it did not, 2 the input is wrong.
+    Study(StudyArguments),
+    /// Show the built-in scenarios, robots and studies.
     List,
     /// Print a built-in scenario, to start your own from.
     Show {
@@ -167,6 +171,25 @@ pub(crate) struct SweepArguments {
     /// Where to write the results [default: `out/sweep-` and the scenario's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Print summary.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct StudyArguments {
+    /// Name of a study (`slideway list` shows them).
+    #[arg(required_unless_present = "all")]
+    pub(crate) study: Option<String>,
+    /// Run every study.
+    #[arg(long, conflicts_with = "study")]
+    pub(crate) all: bool,
+    /// Where to write the results, with --all in a folder for each study [default: `out/study-` and the study's name].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Seed of the noise, in studies that have any.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
     /// Print summary.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,

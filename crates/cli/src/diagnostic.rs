@@ -6,6 +6,7 @@ use slideway_figures::FigureError;
 use slideway_lab::{LabError, locate};
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
+use slideway_study::{Study, StudyError};
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -28,6 +29,12 @@ pub(crate) enum CliError {
     /// Neither a built-in robot nor a file.
     #[error("there is no built-in robot and no file called `{name}`")]
     UnknownRobot { name: String, nearest: Option<&'static str> },
+    /// No study of that name.
+    #[error("there is no study called `{name}`")]
+    UnknownStudy { name: String, nearest: Option<&'static str> },
+    /// A study that could not be run.
+    #[error("{name}: {error}")]
+    Study { error: Box<StudyError>, name: &'static str },
     /// A URDF that gives no arm, with its text if it could be read.
     #[error("{file}: {error}")]
     Urdf { error: Box<UrdfError>, file: String, text: Option<String> },
@@ -92,6 +99,12 @@ impl CliError {
                 let names: Vec<&str> = Model::ALL.iter().map(|m| m.name()).collect();
                 format!("give the path of a URDF file, or one of {}", names.join(", "))
             }
+            Self::UnknownStudy { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Self::UnknownStudy { nearest: None, .. } => {
+                let names: Vec<&str> = Study::ALL.iter().map(|s| s.name()).collect();
+                format!("give one of {}, or --all", names.join(", "))
+            }
+            Self::Study { error, .. } => error.remedy().into(),
             Self::Urdf { error, .. } => error.remedy(),
             Self::Robot { error, .. } => error.remedy(),
             Self::TooManyJoints { .. } => "choose a shorter arm with --base LINK and --tip LINK".into(),

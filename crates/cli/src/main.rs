@@ -21,6 +21,7 @@ mod report;
 mod reproduce;
 mod robot;
 mod robot_state;
+mod study;
 mod summary;
 mod sweep;
 mod sweep_error;
