@@ -1,4 +1,4 @@
-; Twin of feedback-band: the gain may exceed the filter's bandwidth, k > a. One joint, published advance, one sample.
+; Twin of feedback-band: the gain may exceed the filter's bandwidth, k > a. One joint, either advance, one sample.
 (set-option :pp.decimal true)
 (set-option :pp.decimal_precision 20)
 (set-logic QF_NRA)

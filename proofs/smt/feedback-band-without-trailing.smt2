@@ -1,5 +1,5 @@
 ; Twin of feedback-band: the feedback may oppose the feedforward, as it does where the robot is ahead. One joint, limits -1 and 1,
-; published advance, one sample.
+; synchronised advance, one sample.
 (set-option :pp.decimal true)
 (set-option :pp.decimal_precision 20)
 (set-logic QF_NRA)

@@ -1,6 +1,7 @@
 //! Claim `farkas`: a problem that has a profile is never proven to have none.
 //!
-//! Hypotheses: none. A refusal [`slideway_baselines::time_optimal::OptimumError::Infeasible`] with `proven` rests on multipliers `μ >= 0` with
+//! Hypotheses: the profile keeps the program's rows and caps; at cusps of the path, where the joints nearly stand, the caps are lower than
+//! the speed limits, and a path may then have a profile although its program is rightly refused. A refusal [`slideway_baselines::time_optimal::OptimumError::Infeasible`] with `proven` rests on multipliers `μ >= 0` with
 //!
 //! ```text
 //! min over the box of (Aᵀμ)·x  >  μ·c      in outward-rounded arithmetic
@@ -64,6 +65,12 @@ fn feasible_is_not_refused(choices: &mut Choices, _: Subject) -> Result<f64, Sto
     }
     let widened = |limits: Vec<f64>| -> Vec<f64> { limits.iter().map(|x| (x * room).max(1e-6)).collect() };
     let path = path_of(samples, widened(speed), Some(widened(acceleration)), EndRate::Given(ends));
+    // At a cusp, where the joints nearly stand, the program's own caps are lower than the speed limits; it is the program that is
+    // proven to have no profile.
+    let program = PieceProgram::sampled(&path, 0, &[]).map_err(|_| Stop::Skipped)?;
+    if b.iter().zip(&program.cap).any(|(b, cap)| !(b <= cap)) {
+        return Err(Stop::Skipped);
+    }
     let refused = matches!(PieceProgram::new(&path, 0), Err(OptimumError::Infeasible { proven: true, .. }));
     Ok(exactly(!refused))
 }

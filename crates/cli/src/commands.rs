@@ -1,6 +1,6 @@
 use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
-use crate::{compare, robot, sweep};
+use crate::{attack, claims, compare, robot, sweep};
 use slideway_lab::conditioning::ConditioningScenario;
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, LabError, Scenario, ScenarioKind, TEMPLATE, scenario_kind};
 use slideway_robot::models::Model;
@@ -30,6 +30,8 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Claims(arguments) => claims::run(&arguments),
+        Command::Attack(arguments) => attack::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
