@@ -40,8 +40,20 @@ pub const CLAIM: Claim = Claim {
         },
     }],
     engines: &[
-        Engine { name: "the_change_of_a_desired_speed_keeps_the_bound", unit: "rad/s", about: About::SpeedRegulator, cost: Cost::Sample, trial: change_keeps },
-        Engine { name: "along_a_path_the_drift_is_the_derivative_times_the_way", unit: "share of the largest speed asked for", about: About::SpeedRegulator, cost: Cost::Sample, trial: drift_is_bounded },
+        Engine {
+            name: "the_change_of_a_desired_speed_keeps_the_bound",
+            unit: "rad/s",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: change_keeps,
+        },
+        Engine {
+            name: "along_a_path_the_drift_is_the_derivative_times_the_way",
+            unit: "share of the largest speed asked for",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: drift_is_bounded,
+        },
     ],
 };
 
@@ -76,7 +88,8 @@ fn change_keeps(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
 /// On the path, zero error: `v(λ) = c sin(w λ + p)`, `sup |dv/dλ| = |c w|`. Rounding: the sine's argument is off by three
 /// roundings of itself and of `w λ`, at both samples; the rest as above with `S = 2 |c| λ̇d`.
 fn drift_is_bounded(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
-    let (size, frequency, phase) = (choices.between(0.01, 10.0), choices.between(0.1, 500.0), choices.between(0.0, 6.0));
+    let (size, frequency, phase) =
+        (choices.between(0.01, 10.0), choices.between(0.1, 500.0), choices.between(0.0, 6.0));
     let (a, start, target_rate) = (filter_step(choices), choices.share(), choices.between(0.5, 20.0));
     let mut regulator = subject.regulator(settings(SpeedLimits::symmetric([1.0])?, a, target_rate), start)?;
     let joint_rate = |place: f64| -> f64 { size * (frequency * place + phase).sin() };

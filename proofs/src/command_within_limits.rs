@@ -40,8 +40,20 @@ pub const CLAIM: Claim = Claim {
         },
     }],
     engines: &[
-        Engine { name: "every_command_lies_inside_the_limits", unit: "yes or no", about: About::SpeedRegulator, cost: Cost::Sample, trial: inside },
-        Engine { name: "inside_the_limits_is_a_ratio_of_at_most_one", unit: "yes or no", about: About::Other, cost: Cost::Sample, trial: ratio_agrees },
+        Engine {
+            name: "every_command_lies_inside_the_limits",
+            unit: "yes or no",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: inside,
+        },
+        Engine {
+            name: "inside_the_limits_is_a_ratio_of_at_most_one",
+            unit: "yes or no",
+            about: About::Other,
+            cost: Cost::Sample,
+            trial: ratio_agrees,
+        },
     ],
 };
 

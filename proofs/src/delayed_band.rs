@@ -41,9 +41,13 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/delayed-band-without-bounded-delay.smt2"),
         },
     }],
-    engines: &[
-        Engine { name: "a_delayed_switch_keeps_the_band", unit: "share of the band", about: About::Other, cost: Cost::Sample, trial: late_switch_keeps },
-    ],
+    engines: &[Engine {
+        name: "a_delayed_switch_keeps_the_band",
+        unit: "share of the band",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: late_switch_keeps,
+    }],
 };
 
 /// Rounding. As for the frozen band, but `D + 1` rises follow one another, each adding three roundings of at most

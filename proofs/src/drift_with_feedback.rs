@@ -51,16 +51,43 @@ pub const CLAIM: Claim = Claim {
     negations: &[
         Script { file: "drift-with-feedback-lag.smt2", text: include_str!("../smt/drift-with-feedback-lag.smt2") },
         Script { file: "drift-with-feedback-rate.smt2", text: include_str!("../smt/drift-with-feedback-rate.smt2") },
-        Script { file: "drift-with-feedback-release.smt2", text: include_str!("../smt/drift-with-feedback-release.smt2") },
+        Script {
+            file: "drift-with-feedback-release.smt2",
+            text: include_str!("../smt/drift-with-feedback-release.smt2"),
+        },
         Script { file: "drift-with-feedback-brake.smt2", text: include_str!("../smt/drift-with-feedback-brake.smt2") },
     ],
     twins: &[
-        Twin { without: "synchronised-advance", script: Script { file: "drift-with-feedback-without-synchronised-advance.smt2", text: include_str!("../smt/drift-with-feedback-without-synchronised-advance.smt2") } },
-        Twin { without: "gain-below-rate", script: Script { file: "drift-with-feedback-without-gain-below-rate.smt2", text: include_str!("../smt/drift-with-feedback-without-gain-below-rate.smt2") } },
+        Twin {
+            without: "synchronised-advance",
+            script: Script {
+                file: "drift-with-feedback-without-synchronised-advance.smt2",
+                text: include_str!("../smt/drift-with-feedback-without-synchronised-advance.smt2"),
+            },
+        },
+        Twin {
+            without: "gain-below-rate",
+            script: Script {
+                file: "drift-with-feedback-without-gain-below-rate.smt2",
+                text: include_str!("../smt/drift-with-feedback-without-gain-below-rate.smt2"),
+            },
+        },
     ],
     engines: &[
-        Engine { name: "the_lag_keeps_its_bound", unit: "share of the bound", about: About::SpeedRegulator, cost: Cost::Run, trial: lag_keeps },
-        Engine { name: "the_ratio_keeps_its_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Run, trial: ratio_keeps },
+        Engine {
+            name: "the_lag_keeps_its_bound",
+            unit: "share of the bound",
+            about: About::SpeedRegulator,
+            cost: Cost::Run,
+            trial: lag_keeps,
+        },
+        Engine {
+            name: "the_ratio_keeps_its_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Run,
+            trial: ratio_keeps,
+        },
     ],
 };
 
@@ -116,7 +143,8 @@ fn run(choices: &mut Choices, subject: Subject) -> Result<Margins, Stop> {
     }
     let mut margins = Margins { lag: f64::INFINITY, ratio: f64::INFINITY };
     for sample in 0..SAMPLES {
-        let rounding = gain * (10.0 + f64::from(SAMPLES)) * draw::ROUNDOFF * (path.size(place) + initial_lag / gain.max(1.0));
+        let rounding =
+            gain * (10.0 + f64::from(SAMPLES)) * draw::ROUNDOFF * (path.size(place) + initial_lag / gain.max(1.0));
         let wanted = path.position(place);
         let mut desired = path.slope(place).map(|v| v * regulator.requested_rate());
         let mut lag = 0.0_f64;

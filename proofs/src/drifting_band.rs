@@ -56,8 +56,20 @@ pub const CLAIM: Claim = Claim {
         },
     }],
     engines: &[
-        Engine { name: "one_joint_keeps_the_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Sample, trial: keeps::<1> },
-        Engine { name: "three_joints_keep_the_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Sample, trial: keeps::<3> },
+        Engine {
+            name: "one_joint_keeps_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<1>,
+        },
+        Engine {
+            name: "three_joints_keep_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<3>,
+        },
     ],
 };
 
@@ -94,7 +106,9 @@ fn keeps<const N: usize>(choices: &mut Choices, subject: Subject) -> Result<f64,
     // The weaker condition is stated for paths that ask for regulation everywhere.
     let weaker = choices.flag() && ln_min >= 0.0;
     let drift = place * if weaker { weaker_drift(a, ln_min.exp()) } else { admissible_drift(a, g_max) };
-    let band = if weaker { (1.0 - a) * drift.exp() + a * g_max } else {
+    let band = if weaker {
+        (1.0 - a) * drift.exp() + a * g_max
+    } else {
         drifting_band(a, g_max, drift).ok_or(Stop::Skipped)?
     };
     // λ̇*max = λ̇d / g_min; lengths of 1 to 20 samples at the admissible rate.

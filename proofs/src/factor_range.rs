@@ -51,8 +51,20 @@ pub const CLAIM: Claim = Claim {
         },
     ],
     engines: &[
-        Engine { name: "the_filter_stays_in_range_to_the_last_bit", unit: "1", about: About::SpeedRegulator, cost: Cost::Sample, trial: filter_stays },
-        Engine { name: "the_regulators_stay_in_range_for_every_input", unit: "1", about: About::SpeedRegulator, cost: Cost::Sample, trial: regulators_stay },
+        Engine {
+            name: "the_filter_stays_in_range_to_the_last_bit",
+            unit: "1",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: filter_stays,
+        },
+        Engine {
+            name: "the_regulators_stay_in_range_for_every_input",
+            unit: "1",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: regulators_stay,
+        },
     ],
 };
 

@@ -27,15 +27,18 @@ pub const CLAIM: Claim = Claim {
     statement: "A problem for which a profile is known is never refused with a proof that it has none; multipliers >= 0 with min (Aᵀμ)x > μc exclude every profile of the box.",
     source: "Farkas' lemma",
     verdict: Verdict::Holds,
-    negations: &[
-        Script { file: "farkas.smt2", text: include_str!("../smt/farkas.smt2") },
-    ],
-    twins: &[
-        Twin { without: "signs", script: Script { file: "farkas-without-signs.smt2", text: include_str!("../smt/farkas-without-signs.smt2") } },
-    ],
-    engines: &[
-        Engine { name: "no_feasible_problem_is_proven_infeasible", unit: "yes or no", about: About::Other, cost: Cost::Run, trial: feasible_is_not_refused },
-    ],
+    negations: &[Script { file: "farkas.smt2", text: include_str!("../smt/farkas.smt2") }],
+    twins: &[Twin {
+        without: "signs",
+        script: Script { file: "farkas-without-signs.smt2", text: include_str!("../smt/farkas-without-signs.smt2") },
+    }],
+    engines: &[Engine {
+        name: "no_feasible_problem_is_proven_infeasible",
+        unit: "yes or no",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: feasible_is_not_refused,
+    }],
 };
 
 /// Limits are put around a random profile, from just enough (a part in 1e9: the rows are rounded) to ample. The ends are given, so

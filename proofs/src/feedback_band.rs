@@ -34,16 +34,30 @@ pub const CLAIM: Claim = Claim {
     statement: "On a frozen path with feedback, Kp Ts <= a and a robot that trails in every joint: m <= 1 + a g - Kp Ts at every sample, in either advance.",
     source: "this project; [G11] section 3.3.1 leaves feedback out",
     verdict: Verdict::Ours,
-    negations: &[
-        Script { file: "feedback-band.smt2", text: include_str!("../smt/feedback-band.smt2") },
-    ],
+    negations: &[Script { file: "feedback-band.smt2", text: include_str!("../smt/feedback-band.smt2") }],
     twins: &[
-        Twin { without: "trailing", script: Script { file: "feedback-band-without-trailing.smt2", text: include_str!("../smt/feedback-band-without-trailing.smt2") } },
-        Twin { without: "fast-filter", script: Script { file: "feedback-band-without-fast-filter.smt2", text: include_str!("../smt/feedback-band-without-fast-filter.smt2") } },
+        Twin {
+            without: "trailing",
+            script: Script {
+                file: "feedback-band-without-trailing.smt2",
+                text: include_str!("../smt/feedback-band-without-trailing.smt2"),
+            },
+        },
+        Twin {
+            without: "fast-filter",
+            script: Script {
+                file: "feedback-band-without-fast-filter.smt2",
+                text: include_str!("../smt/feedback-band-without-fast-filter.smt2"),
+            },
+        },
     ],
-    engines: &[
-        Engine { name: "a_trailing_robot_keeps_the_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Sample, trial: keeps::<3> },
-    ],
+    engines: &[Engine {
+        name: "a_trailing_robot_keeps_the_band",
+        unit: "share of the band",
+        about: About::SpeedRegulator,
+        cost: Cost::Sample,
+        trial: keeps::<3>,
+    }],
 };
 
 /// Rounding. Each sample rounds the lag by at most four roundings of its terms, which are below `3 M` limits; the loop contracts what

@@ -46,8 +46,20 @@ pub const CLAIM: Claim = Claim {
         },
     ],
     engines: &[
-        Engine { name: "one_joint_keeps_the_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Sample, trial: keeps::<1> },
-        Engine { name: "three_joints_keep_the_band", unit: "share of the band", about: About::SpeedRegulator, cost: Cost::Sample, trial: keeps::<3> },
+        Engine {
+            name: "one_joint_keeps_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<1>,
+        },
+        Engine {
+            name: "three_joints_keep_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<3>,
+        },
     ],
 };
 

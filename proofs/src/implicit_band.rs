@@ -49,8 +49,20 @@ pub const CLAIM: Claim = Claim {
         },
     }],
     engines: &[
-        Engine { name: "feedback_inside_the_limits_keeps_the_whole_inside", unit: "share of a limit", about: About::Other, cost: Cost::Sample, trial: whole_stays_inside },
-        Engine { name: "symmetric_limits_are_kept_to_four_units_in_the_last_place", unit: "share of a limit", about: About::Other, cost: Cost::Sample, trial: symmetric_limits_are_kept },
+        Engine {
+            name: "feedback_inside_the_limits_keeps_the_whole_inside",
+            unit: "share of a limit",
+            about: About::Other,
+            cost: Cost::Sample,
+            trial: whole_stays_inside,
+        },
+        Engine {
+            name: "symmetric_limits_are_kept_to_four_units_in_the_last_place",
+            unit: "share of a limit",
+            about: About::Other,
+            cost: Cost::Sample,
+            trial: symmetric_limits_are_kept,
+        },
     ],
 };
 

@@ -23,7 +23,8 @@ impl JointPath {
         let limit = from_fn(|i| limits.upper()[i].min(-limits.lower()[i]));
         let shares: [[f64; 2]; 3] = from_fn(|_| choices.numbers(0.0, 0.45));
         let scale = [1.0, 2.0 * choices.unit(), 2.0 * choices.unit()];
-        let drift = [slope, choices.between(-1.0, 1.0) * slope * scale[1], choices.between(-1.0, 1.0) * slope * scale[2]];
+        let drift =
+            [slope, choices.between(-1.0, 1.0) * slope * scale[1], choices.between(-1.0, 1.0) * slope * scale[2]];
         let swing = from_fn(|i| shares[i].map(|share| share * slope * scale[i]));
         let frequency = from_fn(|_| choices.decade(-4.0, -0.5) * slope / period);
         Self { limit, drift, swing, frequency, phase: from_fn(|_| choices.numbers(0.0, std::f64::consts::TAU)) }

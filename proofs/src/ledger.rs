@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
+use crate::CLAIMS;
 use crate::claim::{Claim, Verdict};
 use crate::engine::{About, Engine, Report, campaign};
 use crate::refuted::REFUTED;
 use crate::subject::{Fault, Subject};
 use crate::z3::{self, Answer, Z3Error};
-use crate::CLAIMS;
 
 /// Cases per engine at the level that every change must pass.
 pub const SMOKE: u64 = 100_000;
@@ -168,7 +168,9 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
             .iter()
             .map(|m| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned())
             .collect();
-        let measured = if entry.measured.is_empty() { ("test only".to_owned(), "in `proofs/tests`".to_owned()) } else {
+        let measured = if entry.measured.is_empty() {
+            ("test only".to_owned(), "in `proofs/tests`".to_owned())
+        } else {
             (entry.tried().to_string(), margins.join("; "))
         };
         let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), measured.0, measured.1);
@@ -179,7 +181,8 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
 }
 
 fn unit_in_words(measured: &Measured) -> &'static str {
-    let plain = measured.report.smallest < 1e-9 || measured.report.smallest == f64::INFINITY || measured.engine.unit == "1";
+    let plain =
+        measured.report.smallest < 1e-9 || measured.report.smallest == f64::INFINITY || measured.engine.unit == "1";
     if plain { "" } else { measured.engine.unit }
 }
 
@@ -192,7 +195,11 @@ pub fn refuted() -> String {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {found} | `{}` |",
-            refutation.statement, refutation.source, refutation.numbers, refutation.said, refutation.claim
+            refutation.statement.replace('|', "\\|"),
+            refutation.source,
+            refutation.numbers,
+            refutation.said,
+            refutation.claim
         );
     }
     text

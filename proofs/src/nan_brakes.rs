@@ -48,9 +48,13 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
-    engines: &[
-        Engine { name: "an_input_that_is_not_finite_brakes", unit: "yes or no", about: About::SpeedRegulator, cost: Cost::Sample, trial: brakes },
-    ],
+    engines: &[Engine {
+        name: "an_input_that_is_not_finite_brakes",
+        unit: "yes or no",
+        about: About::SpeedRegulator,
+        cost: Cost::Sample,
+        trial: brakes,
+    }],
 };
 
 fn stands_still(command: &SpeedCommand<3>) -> bool {

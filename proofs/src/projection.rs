@@ -34,12 +34,20 @@ pub const CLAIM: Claim = Claim {
         Script { file: "projection.smt2", text: include_str!("../smt/projection.smt2") },
         Script { file: "projection-idempotent.smt2", text: include_str!("../smt/projection-idempotent.smt2") },
     ],
-    twins: &[
-        Twin { without: "convexity", script: Script { file: "projection-without-convexity.smt2", text: include_str!("../smt/projection-without-convexity.smt2") } },
-    ],
-    engines: &[
-        Engine { name: "projection_is_non_expansive_and_idempotent", unit: "m", about: About::Other, cost: Cost::Run, trial: non_expansive },
-    ],
+    twins: &[Twin {
+        without: "convexity",
+        script: Script {
+            file: "projection-without-convexity.smt2",
+            text: include_str!("../smt/projection-without-convexity.smt2"),
+        },
+    }],
+    engines: &[Engine {
+        name: "projection_is_non_expansive_and_idempotent",
+        unit: "m",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: non_expansive,
+    }],
 };
 
 fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {

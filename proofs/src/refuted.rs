@@ -83,7 +83,8 @@ fn largest_ratio() -> Result<f64, Stop> {
 /// The ratio one sample after a start within the band.
 fn opposed() -> Result<f64, Stop> {
     let (gain, rate) = (0.25 / TS, 2.0);
-    let settings = SpeedSettings { advance: Advance::Synchronised, ..settings(SpeedLimits::symmetric([1.0])?, 0.5, rate) };
+    let settings =
+        SpeedSettings { advance: Advance::Synchronised, ..settings(SpeedLimits::symmetric([1.0])?, 0.5, rate) };
     let regulator = SpeedRegulator::new(settings)?;
     let mut state = SpeedState::moving(0.5)?;
     let mut lag = -2.75 / gain;

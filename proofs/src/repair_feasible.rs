@@ -27,15 +27,21 @@ pub const CLAIM: Claim = Claim {
     statement: "The repaired profile keeps every row and cap whatever the solver answered, nonsense included.",
     source: "this project",
     verdict: Verdict::Ours,
-    negations: &[
-        Script { file: "repair-feasible.smt2", text: include_str!("../smt/repair-feasible.smt2") },
-    ],
-    twins: &[
-        Twin { without: "room", script: Script { file: "repair-feasible-without-room.smt2", text: include_str!("../smt/repair-feasible-without-room.smt2") } },
-    ],
-    engines: &[
-        Engine { name: "repaired_nonsense_is_feasible", unit: "share of a limit", about: About::Other, cost: Cost::Run, trial: repaired_is_feasible },
-    ],
+    negations: &[Script { file: "repair-feasible.smt2", text: include_str!("../smt/repair-feasible.smt2") }],
+    twins: &[Twin {
+        without: "room",
+        script: Script {
+            file: "repair-feasible-without-room.smt2",
+            text: include_str!("../smt/repair-feasible-without-room.smt2"),
+        },
+    }],
+    engines: &[Engine {
+        name: "repaired_nonsense_is_feasible",
+        unit: "share of a limit",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: repaired_is_feasible,
+    }],
 };
 
 /// No slack: rows are re-checked with outward rounding.

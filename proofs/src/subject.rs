@@ -126,7 +126,13 @@ impl<const N: usize> Regulator<N> {
         }
     }
 
-    fn spoil(&mut self, fault: Fault, before: f64, desired: &[f64; N], mut command: SpeedCommand<N>) -> SpeedCommand<N> {
+    fn spoil(
+        &mut self,
+        fault: Fault,
+        before: f64,
+        desired: &[f64; N],
+        mut command: SpeedCommand<N>,
+    ) -> SpeedCommand<N> {
         let a = self.settings.bandwidth * self.settings.sampling_period;
         match fault {
             Fault::FilterSign => self.put(before - a * (command.switch - before)),

@@ -40,8 +40,20 @@ pub const CLAIM: Claim = Claim {
         },
     }],
     engines: &[
-        Engine { name: "the_first_switch_falls_where_the_criterion_says", unit: "yes or no", about: About::SpeedRegulator, cost: Cost::Sample, trial: switches_where_said },
-        Engine { name: "below_eq_21_and_at_equality_nothing_switches", unit: "yes or no", about: About::SpeedRegulator, cost: Cost::Sample, trial: nothing_switches },
+        Engine {
+            name: "the_first_switch_falls_where_the_criterion_says",
+            unit: "yes or no",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: switches_where_said,
+        },
+        Engine {
+            name: "below_eq_21_and_at_equality_nothing_switches",
+            unit: "yes or no",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: nothing_switches,
+        },
     ],
 };
 
@@ -70,9 +82,7 @@ fn switches_where_said(choices: &mut Choices, subject: Subject) -> Result<f64, S
     let threshold = factor(sample - 1) + choices.between(0.01, 0.99) * (factor(sample) - factor(sample - 1));
     let g = 1.0 / threshold;
     let found = first_brake(&mut subject.regulator(settings(arm.limits, a, g), start)?, &arm, sample + 1);
-    Ok(exactly(
-        found == Some(sample) && !switches_by(a, g, start, sample - 1) && switches_by(a, g, start, sample),
-    ))
+    Ok(exactly(found == Some(sample) && !switches_by(a, g, start, sample - 1) && switches_by(a, g, start, sample)))
 }
 
 /// No slack: with `g <= 1` and `f <= 1` the products `g f`, `limit (g f)` round to at most 1 and the limit, because 1 and the limit

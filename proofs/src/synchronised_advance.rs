@@ -38,13 +38,35 @@ pub const CLAIM: Claim = Claim {
         Script { file: "synchronised-advance.smt2", text: include_str!("../smt/synchronised-advance.smt2") },
         Script { file: "synchronised-advance-lag.smt2", text: include_str!("../smt/synchronised-advance-lag.smt2") },
     ],
-    twins: &[
-        Twin { without: "waiting", script: Script { file: "synchronised-advance-without-waiting.smt2", text: include_str!("../smt/synchronised-advance-without-waiting.smt2") } },
-    ],
+    twins: &[Twin {
+        without: "waiting",
+        script: Script {
+            file: "synchronised-advance-without-waiting.smt2",
+            text: include_str!("../smt/synchronised-advance-without-waiting.smt2"),
+        },
+    }],
     engines: &[
-        Engine { name: "saturation_adds_nothing_to_the_lag", unit: "share of a limit", about: About::SpeedRegulator, cost: Cost::Sample, trial: lag_shrinks },
-        Engine { name: "no_sample_is_faster_than_the_limits", unit: "share of the largest rate", about: About::SpeedRegulator, cost: Cost::Sample, trial: rate_is_allowed },
-        Engine { name: "no_run_beats_the_optimum", unit: "share of the optimum", about: About::SpeedRegulator, cost: Cost::Run, trial: never_beats },
+        Engine {
+            name: "saturation_adds_nothing_to_the_lag",
+            unit: "share of a limit",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: lag_shrinks,
+        },
+        Engine {
+            name: "no_sample_is_faster_than_the_limits",
+            unit: "share of the largest rate",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: rate_is_allowed,
+        },
+        Engine {
+            name: "no_run_beats_the_optimum",
+            unit: "share of the optimum",
+            about: About::SpeedRegulator,
+            cost: Cost::Run,
+            trial: never_beats,
+        },
     ],
 };
 

@@ -36,12 +36,28 @@ pub const CLAIM: Claim = Claim {
         Script { file: "time-bracket.smt2", text: include_str!("../smt/time-bracket.smt2") },
         Script { file: "time-bracket-approach.smt2", text: include_str!("../smt/time-bracket-approach.smt2") },
     ],
-    twins: &[
-        Twin { without: "slow-drift", script: Script { file: "time-bracket-without-slow-drift.smt2", text: include_str!("../smt/time-bracket-without-slow-drift.smt2") } },
-    ],
+    twins: &[Twin {
+        without: "slow-drift",
+        script: Script {
+            file: "time-bracket-without-slow-drift.smt2",
+            text: include_str!("../smt/time-bracket-without-slow-drift.smt2"),
+        },
+    }],
     engines: &[
-        Engine { name: "travel_time_is_above_the_lower_factor", unit: "share of the optimum", about: About::SpeedRegulator, cost: Cost::Run, trial: above },
-        Engine { name: "travel_time_is_below_the_upper_factor", unit: "share of the optimum", about: About::SpeedRegulator, cost: Cost::Run, trial: below },
+        Engine {
+            name: "travel_time_is_above_the_lower_factor",
+            unit: "share of the optimum",
+            about: About::SpeedRegulator,
+            cost: Cost::Run,
+            trial: above,
+        },
+        Engine {
+            name: "travel_time_is_below_the_upper_factor",
+            unit: "share of the optimum",
+            about: About::SpeedRegulator,
+            cost: Cost::Run,
+            trial: below,
+        },
     ],
 };
 

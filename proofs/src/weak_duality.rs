@@ -32,12 +32,20 @@ pub const CLAIM: Claim = Claim {
         Script { file: "weak-duality-tangent.smt2", text: include_str!("../smt/weak-duality-tangent.smt2") },
         Script { file: "weak-duality-rows.smt2", text: include_str!("../smt/weak-duality-rows.smt2") },
     ],
-    twins: &[
-        Twin { without: "signs", script: Script { file: "weak-duality-without-signs.smt2", text: include_str!("../smt/weak-duality-without-signs.smt2") } },
-    ],
-    engines: &[
-        Engine { name: "no_multipliers_lift_the_bound_above_a_feasible_time", unit: "share of the time", about: About::Other, cost: Cost::Run, trial: bound_is_below },
-    ],
+    twins: &[Twin {
+        without: "signs",
+        script: Script {
+            file: "weak-duality-without-signs.smt2",
+            text: include_str!("../smt/weak-duality-without-signs.smt2"),
+        },
+    }],
+    engines: &[Engine {
+        name: "no_multipliers_lift_the_bound_above_a_feasible_time",
+        unit: "share of the time",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: bound_is_below,
+    }],
 };
 
 /// No slack: the bound is rounded downwards, the time upwards.

@@ -36,7 +36,8 @@ impl Report {
 
     fn of(engine: &Engine, subject: Subject, seed: u64, case: u64) -> Self {
         let mut choices = Choices::random(seed, case);
-        let violated = |choices: &Choices, what: String| Some(Violation { case, choices: choices.used().to_vec(), what });
+        let violated =
+            |choices: &Choices, what: String| Some(Violation { case, choices: choices.used().to_vec(), what });
         match (engine.trial)(&mut choices, subject) {
             Err(Stop::Skipped) => Self { skipped: 1, ..Self::EMPTY },
             Err(Stop::Refused(why)) => Self { tried: 1, violation: violated(&choices, why), ..Self::EMPTY },
