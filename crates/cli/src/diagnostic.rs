@@ -20,6 +20,9 @@ pub(crate) enum CliError {
     /// Neither a built-in scenario nor a file.
     #[error("there is no built-in scenario and no file called `{name}`")]
     UnknownScenario { name: String, nearest: Option<&'static str> },
+    /// No claim of that name.
+    #[error("there is no claim called `{name}`")]
+    UnknownClaim { name: String, nearest: Option<&'static str> },
     /// An option with a value that makes no sense.
     #[error("--{option} is {value}")]
     Option { option: &'static str, value: f64, remedy: &'static str },
@@ -87,6 +90,10 @@ impl CliError {
     fn remedy(&self) -> String {
         match self {
             Self::Scenario { error, .. } => error.remedy(),
+            Self::UnknownClaim { nearest: Some(nearest), .. } => {
+                format!("did you mean `{nearest}`? `slideway claims` shows all of them")
+            }
+            Self::UnknownClaim { .. } => "`slideway claims` shows all of them".to_owned(),
             Self::UnknownScenario { nearest: Some(nearest), .. } => {
                 format!("did you mean `{nearest}`? `slideway list` shows the built-in scenarios")
             }
