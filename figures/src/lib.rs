@@ -8,6 +8,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, clippy::cast_sign_loss)]
 
 mod canvas;
+mod chart;
 mod chattering;
 mod conditioning;
 mod convergence;
@@ -32,6 +33,7 @@ mod study;
 mod style;
 mod tool_path;
 
+pub use chart::{Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, draw_chart};
 pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
 pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
 pub use courses::{CourseLaw, CourseStudy, NamedCourse, draw_courses};

@@ -3,7 +3,10 @@
 mod files;
 
 use files::{is_well_formed, png_header};
-use slideway_figures::{FigureError, Optimum, Rendered, SpeedStudy, draw_speed_study};
+use slideway_figures::{
+    Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, FigureError, Optimum, Rendered, SpeedStudy, draw_chart,
+    draw_speed_study,
+};
 use slideway_lab::{BUILT_IN, Experiment, MAX_JOINTS, Method, Sample, Scenario, ScenarioKind, Trace, scenario_kind};
 use std::error::Error;
 
@@ -265,4 +268,38 @@ fn a_directory_that_cannot_be_made_is_reported() -> Result<(), Box<dyn Error>> {
     let material = Material::by_hand();
     assert!(matches!(draw_speed_study(&material.study(), &file), Err(FigureError::Write { .. })));
     Ok(())
+}
+
+#[test]
+fn a_chart_is_drawn_with_one_line_style_a_name() {
+    let points: Vec<[f64; 2]> = (0..50).map(|k| [0.1 * f64::from(k), (0.1 * f64::from(k)).sin()]).collect();
+    let curve = |name, role| ChartCurve { name, role, points: &points };
+    let panel = |scales| ChartPanel {
+        title: "a panel",
+        x: "time (s)",
+        y: "rad",
+        scales,
+        curves: vec![curve("wanted", ChartRole::Reference), curve("found", ChartRole::Result)],
+        levels: vec![("limit", 1.5)],
+    };
+    let panels = vec![panel(ChartScales::Filling), panel(ChartScales::Equal)];
+    let folder = tempfile::tempdir().expect("a folder");
+    let rendered =
+        draw_chart(&Chart { title: "A chart", message: "Two panels.", panels }, folder.path()).expect("drawn");
+    assert!(rendered.png_path.exists() && rendered.svg_path.exists());
+    // In the legend once, whatever the number of panels.
+    for name in ["wanted", "found", "limit"] {
+        assert_eq!(rendered.svg.matches(name).count(), 1, "{name}");
+    }
+}
+
+#[test]
+fn a_chart_with_nothing_to_draw_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let empty = Chart { title: "", message: "", panels: Vec::new() };
+    assert!(matches!(draw_chart(&empty, folder.path()), Err(FigureError::Length { .. })));
+    let curves = vec![ChartCurve { name: "", role: ChartRole::Result, points: &[[f64::NAN, 0.0]] }];
+    let panel = ChartPanel { title: "", x: "", y: "", scales: ChartScales::Filling, curves, levels: Vec::new() };
+    let blank = Chart { title: "", message: "", panels: vec![panel] };
+    assert!(matches!(draw_chart(&blank, folder.path()), Err(FigureError::Value { index: 0, .. })));
 }

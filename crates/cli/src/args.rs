@@ -32,7 +32,19 @@ pub(crate) enum Command {
     /// A sweep that was interrupted goes on where it stopped when the same command is given again. The rows do not depend on
     /// the number of jobs. Exit status: 0 no run failed, 1 some did not complete or broke a constraint, 2 the input is wrong.
     Sweep(SweepArguments),
-    /// Show the built-in scenarios and robots.
+    /// Run a study of the arm controller: what it found in numbers, a figure and a report.
+    ///
+    /// Exit status: 0 the study found what it claims, 1 it did not, 2 the input is wrong.
+    Study(StudyArguments),
+    /// Print the ledger of claims: what is proven, and what a run of the property tests measures here and now.
+    ///
+    /// Exit status: 0 every claim holds, 1 one is violated or its proof fails, 2 the input is wrong.
+    Claims(ClaimsArguments),
+    /// Search for counterexamples by simulated annealing on the margin of each claim.
+    ///
+    /// Exit status: 0 none was found, 1 one was, with the choices that give it again, 2 the input is wrong.
+    Attack(AttackArguments),
+    /// Show the built-in scenarios, robots and studies.
     List,
     /// Print a built-in scenario, to start your own from.
     Show {
@@ -88,6 +100,49 @@ pub(crate) struct ReproduceArguments {
     /// Print JSON instead of the table.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// How long the property tests run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Level {
+    /// 2,000 cases a property: seconds.
+    Quick,
+    /// 100,000: a minute or two.
+    Smoke,
+    /// 10,000,000: a night.
+    Nightly,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ClaimsArguments {
+    /// How long to run.
+    #[arg(long, value_enum, default_value_t = Level::Quick)]
+    pub(crate) level: Level,
+    /// Cases per property, instead of a level.
+    #[arg(long, value_name = "N")]
+    pub(crate) cases: Option<NonZeroU64>,
+    /// This claim alone.
+    #[arg(long, value_name = "NAME", conflicts_with = "markdown")]
+    pub(crate) claim: Option<String>,
+    /// Print JSON instead of the table.
+    #[arg(long, conflicts_with = "markdown")]
+    pub(crate) json: bool,
+    /// Print the text of proofs/CLAIMS.md.
+    #[arg(long)]
+    pub(crate) markdown: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct AttackArguments {
+    /// How long to search, all claims together, in minutes.
+    #[arg(long, value_name = "M", default_value_t = 1.0)]
+    pub(crate) minutes: f64,
+    /// This claim alone.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) claim: Option<String>,
+    /// Where the random sequence begins; another one searches elsewhere.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
 }
 
 #[derive(Debug, clap::Args)]
@@ -167,6 +222,25 @@ pub(crate) struct SweepArguments {
     /// Where to write the results [default: `out/sweep-` and the scenario's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Print summary.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct StudyArguments {
+    /// Name of a study (`slideway list` shows them).
+    #[arg(required_unless_present = "all")]
+    pub(crate) study: Option<String>,
+    /// Run every study.
+    #[arg(long, conflicts_with = "study")]
+    pub(crate) all: bool,
+    /// Where to write the results, with --all in a folder for each study [default: `out/study-` and the study's name].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Seed of the noise, in studies that have any.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
     /// Print summary.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,

@@ -2,9 +2,10 @@ use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
 use crate::loaded::{Loaded, unknown};
 use crate::output::{Outcome, print};
-use crate::{compare, reproduce, robot, sweep};
+use crate::{attack, claims, compare, reproduce, robot, study, sweep};
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
+use slideway_study::Study;
 use std::io::Write as _;
 use std::path::Path;
 
@@ -14,6 +15,9 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Robot(arguments) => robot::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
+        Command::Claims(arguments) => claims::run(&arguments),
+        Command::Attack(arguments) => attack::run(&arguments),
         Command::List => Ok(list()),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
@@ -27,11 +31,12 @@ fn list() -> Outcome {
     let robot = |model: Model| (model.name(), model.summary().to_owned());
     let scenarios: Vec<(&str, String)> = BUILT_IN.iter().map(scenario).collect();
     let robots: Vec<(&str, String)> = Model::ALL.into_iter().map(robot).collect();
-    let width = scenarios.iter().chain(&robots).map(|(name, _)| name.len()).max().unwrap_or(0);
+    let studies: Vec<(&str, String)> = Study::ALL.into_iter().map(|s| (s.name(), s.summary().to_owned())).collect();
+    let width = scenarios.iter().chain(&robots).chain(&studies).map(|(name, _)| name.len()).max().unwrap_or(0);
     let lines = |entries: &[(&str, String)]| -> String {
         entries.iter().map(|(name, description)| format!("  {name:width$}  {description}\n")).collect()
     };
-    print(&format!("scenarios\n{}robots\n{}", lines(&scenarios), lines(&robots)));
+    print(&format!("scenarios\n{}robots\n{}studies\n{}", lines(&scenarios), lines(&robots), lines(&studies)));
     Outcome::Holds
 }
 

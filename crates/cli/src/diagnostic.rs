@@ -6,6 +6,7 @@ use slideway_figures::FigureError;
 use slideway_lab::{LabError, locate};
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
+use slideway_study::{Study, StudyError};
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -19,6 +20,9 @@ pub(crate) enum CliError {
     /// Neither a built-in scenario nor a file.
     #[error("there is no built-in scenario and no file called `{name}`")]
     UnknownScenario { name: String, nearest: Option<&'static str> },
+    /// No claim of that name.
+    #[error("there is no claim called `{name}`")]
+    UnknownClaim { name: String, nearest: Option<&'static str> },
     /// An option with a value that makes no sense.
     #[error("--{option} is {value}")]
     Option { option: &'static str, value: f64, remedy: &'static str },
@@ -28,6 +32,12 @@ pub(crate) enum CliError {
     /// Neither a built-in robot nor a file.
     #[error("there is no built-in robot and no file called `{name}`")]
     UnknownRobot { name: String, nearest: Option<&'static str> },
+    /// No study of that name.
+    #[error("there is no study called `{name}`")]
+    UnknownStudy { name: String, nearest: Option<&'static str> },
+    /// A study that could not be run.
+    #[error("{name}: {error}")]
+    Study { error: Box<StudyError>, name: &'static str },
     /// A URDF that gives no arm, with its text if it could be read.
     #[error("{file}: {error}")]
     Urdf { error: Box<UrdfError>, file: String, text: Option<String> },
@@ -80,6 +90,10 @@ impl CliError {
     fn remedy(&self) -> String {
         match self {
             Self::Scenario { error, .. } => error.remedy(),
+            Self::UnknownClaim { nearest: Some(nearest), .. } => {
+                format!("did you mean `{nearest}`? `slideway claims` shows all of them")
+            }
+            Self::UnknownClaim { .. } => "`slideway claims` shows all of them".to_owned(),
             Self::UnknownScenario { nearest: Some(nearest), .. } => {
                 format!("did you mean `{nearest}`? `slideway list` shows the built-in scenarios")
             }
@@ -92,6 +106,12 @@ impl CliError {
                 let names: Vec<&str> = Model::ALL.iter().map(|m| m.name()).collect();
                 format!("give the path of a URDF file, or one of {}", names.join(", "))
             }
+            Self::UnknownStudy { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
+            Self::UnknownStudy { nearest: None, .. } => {
+                let names: Vec<&str> = Study::ALL.iter().map(|s| s.name()).collect();
+                format!("give one of {}, or --all", names.join(", "))
+            }
+            Self::Study { error, .. } => error.remedy().into(),
             Self::Urdf { error, .. } => error.remedy(),
             Self::Robot { error, .. } => error.remedy(),
             Self::TooManyJoints { .. } => "choose a shorter arm with --base LINK and --tip LINK".into(),

@@ -3,6 +3,8 @@
 //! Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
 
 mod args;
+mod attack;
+mod claims;
 mod commands;
 mod compare;
 mod compare_path;
@@ -21,6 +23,7 @@ mod report;
 mod reproduce;
 mod robot;
 mod robot_state;
+mod study;
 mod summary;
 mod sweep;
 mod sweep_error;

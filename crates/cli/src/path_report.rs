@@ -114,7 +114,7 @@ pub(crate) fn render(summary: &PathSummary, scenario: &ConditioningScenario, fig
         verdict: &summary.verdict.sentence,
         body,
         figures,
-        scenario: scenario.text(),
+        scenario: Some(scenario.text()),
     };
     page.render()
 }

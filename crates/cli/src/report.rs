@@ -17,8 +17,8 @@ pub(crate) struct Page<'a> {
     /// Tables, as HTML.
     pub(crate) body: String,
     pub(crate) figures: &'a [Rendered],
-    /// Text of the scenario file.
-    pub(crate) scenario: &'a str,
+    /// Text of the scenario file, if there is one.
+    pub(crate) scenario: Option<&'a str>,
 }
 
 impl Page<'_> {
@@ -26,16 +26,17 @@ impl Page<'_> {
     pub(crate) fn render(&self) -> String {
         let title = escape(self.title);
         let figures: String = self.figures.iter().map(figure).collect();
+        let file =
+            |text| format!("<details><summary>The scenario file</summary><pre>{}</pre></details>\n", escape(text));
         format!(
             "{}<h1>{title}</h1>\n<p>{}</p>\n\
-             <p class=\"verdict {}\">{}</p>\n{}\n{figures}\n\
-             <details><summary>The scenario file</summary><pre>{}</pre></details>\n</main>\n</body>\n</html>\n",
+             <p class=\"verdict {}\">{}</p>\n{}\n{figures}\n{}</main>\n</body>\n</html>\n",
             page_head(self.title),
             escape(self.description),
             if self.holds { "holds" } else { "fails" },
             escape(self.verdict),
             self.body,
-            escape(self.scenario),
+            self.scenario.map_or_else(String::new, file),
         )
     }
 }
@@ -63,7 +64,7 @@ pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Re
             + &optimum(summary)
             + &windows(&summary.look_ahead),
         figures,
-        scenario: scenario.text(),
+        scenario: Some(scenario.text()),
     };
     page.render()
 }

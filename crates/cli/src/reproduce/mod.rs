@@ -155,12 +155,17 @@ impl Row {
             case.clone(),
             if unit.is_empty() { (*quantity).to_owned() } else { format!("{quantity} [{unit}]") },
             Some(format!("{paper}")).filter(|digits| digits.len() < 9).unwrap_or_else(|| short(*paper)),
-            ours.map_or("-".to_owned(), short),
+            ours.map_or("-".to_owned(), digits),
             self.difference.filter(|_| !unit.is_empty()).map_or("-".to_owned(), |d| format!("{:+.2} %", 100.0 * d)),
             agrees.to_owned(),
             (*remark).to_owned(),
         ]
     }
+}
+
+/// Four significant digits and more, so that none of a printed value's is lost.
+fn digits(value: f64) -> String {
+    if (10.0..10_000.0).contains(&value) { format!("{value:.2}") } else { short(value) }
 }
 
 /// Writes the page with the comparisons that the papers' figures show, each in its own folder, and the rows as JSON.

@@ -1,0 +1,30 @@
+use slideway_motion::MotionError;
+use thiserror::Error;
+
+/// Why a study could not be run to its end.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// A motion was refused, or broke off.
+    #[error("the motion of the study: {0}")]
+    Motion(#[from] MotionError),
+    /// The simulation did not come to its end.
+    #[error("{what} did not end within {seconds} s")]
+    Endless {
+        /// What should have ended.
+        what: &'static str,
+        /// How long it was waited for, s.
+        seconds: f64,
+    },
+}
+
+impl StudyError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Motion(error) => error.remedy(),
+            Self::Endless { .. } => "this is a fault of the study: its settings are built in",
+        }
+    }
+}
