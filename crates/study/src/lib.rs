@@ -15,6 +15,7 @@ mod error;
 mod interrupts;
 mod report;
 mod study;
+mod welding_cell;
 
 pub use error::StudyError;
 pub use report::{Level, NamedNumber, Panel, Report, Role, Scales, Series};

@@ -1,21 +1,24 @@
-use crate::{Report, StudyError, interrupts};
+use crate::{Report, StudyError, interrupts, welding_cell};
 
 /// A study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Study {
     /// The four ways to interrupt a motion.
     Interrupts,
+    /// A seam between two Go-Tos, under two speed laws, braked half-way.
+    WeldingCell,
 }
 
 impl Study {
     /// All of them.
-    pub const ALL: [Self; 1] = [Self::Interrupts];
+    pub const ALL: [Self; 2] = [Self::Interrupts, Self::WeldingCell];
 
     /// The name by which it is called.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Interrupts => "interrupts",
+            Self::WeldingCell => "welding-cell",
         }
     }
 
@@ -25,6 +28,9 @@ impl Study {
         match self {
             Self::Interrupts => {
                 "a path broken off in four ways: at a way-point, on the path, at full brake, for a new target"
+            }
+            Self::WeldingCell => {
+                "Go-To, seam under sliding mode and under natural motion beside the certified optimum, brake on it, recover"
             }
         }
     }
@@ -44,5 +50,6 @@ impl Study {
 pub fn run(study: Study, _seed: u64) -> Result<Report, StudyError> {
     match study {
         Study::Interrupts => interrupts::run(),
+        Study::WeldingCell => welding_cell::run(),
     }
 }
