@@ -16,7 +16,7 @@ use slideway_robot::JointVector;
 
 /// Duration of the motion, of holding before it (not shown) and after it, s.
 const MOTION: f64 = 1.5;
-const SETTLING: f64 = 6.0;
+const SETTLING: f64 = 4.0;
 const HOLDING: f64 = 3.0;
 /// How far each joint moves, rad.
 const WAY: [f64; 6] = [0.5, 0.9, -0.6, 0.4, 0.4, 0.4];
