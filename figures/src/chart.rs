@@ -88,8 +88,15 @@ struct Checked<'a> {
 }
 
 /// Height of one panel with its labels, design units.
-const FILLING: f64 = 460.0;
-const EQUAL: f64 = 760.0;
+const HEIGHT: f64 = 460.0;
+/// Heights between which a panel with equal scales is as high as its curves ask for.
+const EQUAL: (f64, f64) = (HEIGHT, 760.0);
+/// Height of a panel's title and labels.
+const AROUND: f64 = Frame::LABELLED.bottom + 50.0;
+/// Width of the axes.
+const WIDE: f64 = WIDTH - Frame::LABELLED.left - Frame::EDGE - Frame::RIGHT;
+/// Air around curves, as a factor of their extent.
+const AIR: f64 = 1.08;
 
 impl<'a> Checked<'a> {
     fn new(chart: &'a Chart<'a>) -> Result<Self, FigureError> {
@@ -121,25 +128,31 @@ impl ChartPanel<'_> {
     }
 
     fn height(&self) -> f64 {
+        let [x, y] = self.extent();
         match self.scales {
-            ChartScales::Filling => FILLING,
-            ChartScales::Equal => EQUAL,
+            ChartScales::Filling => HEIGHT,
+            ChartScales::Equal => {
+                let width = (x.end - x.start).max(f64::MIN_POSITIVE);
+                (AROUND + WIDE * (y.end - y.start) / width).clamp(EQUAL.0, EQUAL.1)
+            }
         }
+    }
+
+    /// What curves and lines cover.
+    fn extent(&self) -> [Range<f64>; 2] {
+        let finite = || self.points().filter(|p| p.0.is_finite() && p.1.is_finite());
+        [span(finite().map(|p| p.0)), span(finite().map(|p| p.1).chain(self.levels.iter().map(|l| l.1)))]
     }
 
     /// Ranges of both axes with a little air around the curves and lines.
     fn ranges(&self) -> [Range<f64>; 2] {
-        let finite = || self.points().filter(|p| p.0.is_finite() && p.1.is_finite());
-        let x = span(finite().map(|p| p.0));
-        let y = span(finite().map(|p| p.1).chain(self.levels.iter().map(|l| l.1)));
+        let [x, y] = self.extent();
         match self.scales {
-            ChartScales::Filling => [x, widened(&y, 1.08)],
+            ChartScales::Filling => [x, widened(&y, AIR)],
             ChartScales::Equal => {
-                let labels = Frame::LABELLED;
-                let width = WIDTH - labels.left - Frame::EDGE - Frame::RIGHT;
-                let height = self.height() - labels.bottom - 50.0;
-                let unit = (1.08 * (x.end - x.start) / width).max(1.08 * (y.end - y.start) / height);
-                [around(&x, unit * width), around(&y, unit * height)]
+                let height = self.height() - AROUND;
+                let unit = (AIR * (x.end - x.start) / WIDE).max(AIR * (y.end - y.start) / height);
+                [around(&x, unit * WIDE), around(&y, unit * height)]
             }
         }
     }

@@ -1,4 +1,4 @@
-//! What is claimed about the conditioners and about natural motion, and the machine-checked form of each claim.
+//! What is claimed about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -14,6 +14,7 @@
 //! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
 //! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
 //! In natural motion: `J` Jacobian, `t*` twist of the tool at unit path speed `q̇*`, `n̄` null vector, `b` its coefficient.
+//! In control: `q` (rad) joints, `M` mass matrix, `τ` torques (N·m), `e` error from actual to desired, `K`, `D` stiffness and damping.
 
 pub mod acceleration_box;
 pub mod acceleration_factor;
@@ -21,6 +22,7 @@ pub mod acceleration_recovery;
 pub mod chattering_band;
 mod claim;
 pub mod command_within_limits;
+pub mod computed_torque;
 pub mod delayed_band;
 pub mod draw;
 pub mod drift_with_feedback;
@@ -32,6 +34,7 @@ pub mod farkas;
 pub mod feedback_band;
 pub mod finite_through_singularity;
 pub mod frozen_band;
+pub mod impedance_passivity;
 pub mod implicit_band;
 pub mod joint_path;
 pub mod ledger;
@@ -56,6 +59,7 @@ pub mod subject;
 pub mod switching;
 pub mod synchronised_advance;
 pub mod time_bracket;
+pub mod transpose_descent;
 pub mod weak_duality;
 pub mod z3;
 
@@ -96,4 +100,7 @@ pub const CLAIMS: &[Claim] = &[
     repair_feasible::CLAIM,
     farkas::CLAIM,
     projection::CLAIM,
+    computed_torque::CLAIM,
+    impedance_passivity::CLAIM,
+    transpose_descent::CLAIM,
 ];

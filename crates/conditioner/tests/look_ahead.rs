@@ -135,3 +135,28 @@ fn what_is_not_known_allows_no_speed() -> Result<(), ParameterError> {
     assert!(shorter > 0.0 && (holed - shorter).abs() < 1e-10, "{holed} {shorter}");
     Ok(())
 }
+
+/// The twin works every range out anew.
+#[test]
+fn with_the_ranges_known_the_rate_is_the_same() -> Result<(), ParameterError> {
+    let spacing = LENGTH / NODES as f64;
+    let nodes: Vec<[f64; 2]> = (0..=NODES).map(|k| path(spacing * k as f64).1).collect();
+    let plan = look_ahead(0.05)?;
+    let mut ranges = vec![f64::NAN; nodes.len()];
+    plan.ranges(spacing, &nodes, &mut ranges);
+    for step in 0..3000 {
+        let lambda = 1e-3 * f64::from(step);
+        let behind = ((lambda / spacing) as usize).min(NODES);
+        let preview =
+            Preview { offset: (lambda - behind as f64 * spacing).max(0.0), spacing, path_speeds: &nodes[behind..] };
+        let (twin, rate) = (plan.greatest_rate(&preview), plan.greatest_rate_within(&preview, &ranges[behind..]));
+        // Lengths of stretches are differences of places up to 3: rounding of 1e-15 over a spacing of 5e-3.
+        assert!((rate - twin).abs() <= 1e-11 * twin + 1e-11, "{rate} {twin} at {lambda}");
+    }
+    // What cannot be used is a stand.
+    plan.ranges(f64::NAN, &nodes, &mut ranges);
+    assert!(ranges.iter().all(|b| *b == 0.0));
+    let nowhere = Preview { offset: f64::NAN, spacing, path_speeds: &nodes };
+    assert_eq!(plan.greatest_rate_within(&nowhere, &ranges), 0.0);
+    Ok(())
+}

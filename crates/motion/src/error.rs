@@ -1,6 +1,7 @@
 use crate::supervisor::Mode;
 use crate::tool::ToolFault;
 use crate::{Interpolation, LimitKind};
+use slideway_conditioner::ParameterError;
 use slideway_robot::{DynamicsError, RobotError};
 use thiserror::Error;
 
@@ -13,6 +14,40 @@ pub enum Continuity {
     Velocity,
     /// Acceleration.
     Acceleration,
+}
+
+/// Why a curve of the tool cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CurveFault {
+    /// A number is NaN or infinite.
+    #[error("a number is not finite")]
+    NotFinite,
+    /// No point to go to, or more than a polyline holds.
+    #[error("{given} points; a polyline takes 1 to {}", crate::tool::MAX_POINTS - 1)]
+    Points {
+        /// Points given, the start not counted.
+        given: usize,
+    },
+    /// A line whose ends coincide.
+    #[error("line {} has no length", line + 1)]
+    NoLength {
+        /// Line, counted from 0.
+        line: usize,
+    },
+    /// A blend that does not fit on a line.
+    #[error("a blend of {blend} m does not fit on line {}, which is {length} m long", line + 1)]
+    Blend {
+        /// Blend, m.
+        blend: f64,
+        /// Line, counted from 0.
+        line: usize,
+        /// Its length, m.
+        length: f64,
+    },
+    /// An axis without length, an arc without an angle, or a start on the axis.
+    #[error("the arc has no axis, no angle or no radius")]
+    NoAxis,
 }
 
 /// Why a motion was refused, or stopped.
@@ -153,6 +188,20 @@ pub enum MotionError {
         #[source]
         cause: Box<ToolFault>,
     },
+    /// A curve that cannot be made.
+    #[error("the curve of the tool: {0}")]
+    Curve(#[from] CurveFault),
+    /// A curve that does not begin where the queue ends.
+    #[error("the curve begins {distance:.3e} m and {angle:.3e} rad away from the tool")]
+    NotAtStart {
+        /// Distance, m.
+        distance: f64,
+        /// Angle, rad.
+        angle: f64,
+    },
+    /// Settings of a speed law that are out of their range.
+    #[error("the speed law: {0}")]
+    Regulation(#[from] ParameterError),
     /// A command that the mode of the controller does not take.
     #[error("in the mode {mode:?} the queue takes no commands")]
     WrongMode {
@@ -234,6 +283,9 @@ impl MotionError {
             Self::RateChanging => "try again when the rate has settled",
             Self::Tool { .. } => "move the line away from the place named, or go round it by joint motions",
             Self::WrongMode { .. } => "bring the arm to rest, or reset its fault",
+            Self::Curve(_) => "give distinct points with room for the corners between them",
+            Self::NotAtStart { .. } => "begin the curve at the tool's pose at the queue's end",
+            Self::Regulation(_) => "give a positive period, a bandwidth below its inverse and a margin below 1",
             Self::NoTool => "make the queue with the kinematics of its tool",
             Self::Kinematics(_) => "use a task that the arm has joints for",
             Self::Dynamics(_) => "give every moving link a mass and an inertia",

@@ -66,7 +66,7 @@ pub mod tool;
 mod way_points;
 
 pub use controller::{ArmController, ControllerSettings, Output};
-pub use error::{Continuity, MotionError};
+pub use error::{Continuity, CurveFault, MotionError};
 pub use interpolation::Interpolation;
 pub use joint_motion::JointMotion;
 pub use limits::{AxisLimits, LimitKind, MotionLimits};

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use slideway_motion::control::task_space::{OperationalSettings, OperationalSpace};
 use slideway_motion::plant::{Actuation, Plant, PlantSettings, PlantState};
 use slideway_motion::profile::Ramp;
-use slideway_motion::tool::{ToolKinematics, ToolLimits};
+use slideway_motion::tool::{Regulation, SpeedLaw, ToolCurve, ToolKinematics, ToolLimits, ToolPolyline};
 use slideway_motion::{AxisLimits, Interpolation, MotionLimits, MotionQueue, Repeat};
 use slideway_robot::{JointVector, Task, Twist, models};
 
@@ -73,6 +73,27 @@ fn a_controlled_arm_in_simulation_allocates_nothing() {
         for _ in 0..100 {
             let torque = space.step(&state.q, &state.qd, &Twist::from_element(0.1), &Twist::zeros()).torque;
             plant.advance(&mut state, 1e-3, &mut |_| Actuation::torque(torque)).expect("resolved");
+        }
+    });
+    assert_eq!(counted.count_total, 0, "{counted:?}");
+}
+
+#[test]
+fn speed_laws_that_decide_sample_by_sample_allocate_nothing() {
+    let mut queue = queue();
+    let start = models::puma560().forward(&home());
+    let points = [[0.05, 0.1, -0.05], [0.0, 0.2, -0.05]].map(|by| start.translation.vector + Vector3::from(by));
+    let counted = measure(|| {
+        for law in [SpeedLaw::SlidingMode(Regulation::DEFAULT), SpeedLaw::Natural(Regulation::DEFAULT)] {
+            let curve = ToolPolyline::new(&start, &points, 0.03, Vector3::zeros()).expect("a polyline");
+            queue.move_tool_along(&ToolCurve::Polyline(curve), &law).expect("a free curve");
+            play(&mut queue, 100);
+            queue.brake_on_path();
+            play(&mut queue, 200);
+            queue.set_rate(1.0).expect("in [0, 1]");
+            play(&mut queue, 2000);
+            queue.go_to(&home(), Interpolation::Trapezoid).expect("free");
+            play(&mut queue, 2000);
         }
     });
     assert_eq!(counted.count_total, 0, "{counted:?}");

@@ -1,3 +1,4 @@
+use slideway_baselines::time_optimal::OptimumError;
 use slideway_motion::MotionError;
 use thiserror::Error;
 
@@ -8,6 +9,9 @@ pub enum StudyError {
     /// A motion was refused, or broke off.
     #[error("the motion of the study: {0}")]
     Motion(#[from] MotionError),
+    /// There is no optimum to compare with.
+    #[error("the optimum of the study: {0}")]
+    Optimum(#[from] OptimumError),
     /// The simulation did not come to its end.
     #[error("{what} did not end within {seconds} s")]
     Endless {
@@ -24,7 +28,7 @@ impl StudyError {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Motion(error) => error.remedy(),
-            Self::Endless { .. } => "this is a fault of the study: its settings are built in",
+            Self::Optimum(_) | Self::Endless { .. } => "this is a fault of the study: its settings are built in",
         }
     }
 }

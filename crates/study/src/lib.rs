@@ -21,6 +21,7 @@ mod opspace_vs_queue;
 mod profiles_vs_gravity;
 mod report;
 mod study;
+mod welding_cell;
 
 pub use error::StudyError;
 pub use report::{Level, NamedNumber, Panel, Report, Role, Scales, Series};

@@ -1,5 +1,6 @@
 use crate::{
     Report, StudyError, cartesian_2r, high_gain_pid, impedance_wall, interrupts, opspace_vs_queue, profiles_vs_gravity,
+    welding_cell,
 };
 
 /// A study.
@@ -17,17 +18,20 @@ pub enum Study {
     Cartesian2r,
     /// Pushing against a wall that gives way.
     ImpedanceWall,
+    /// A seam between two Go-Tos, under two speed laws, braked half-way.
+    WeldingCell,
 }
 
 impl Study {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Interrupts,
         Self::ProfilesVsGravity,
         Self::HighGainPid,
         Self::OpspaceVsQueue,
         Self::Cartesian2r,
         Self::ImpedanceWall,
+        Self::WeldingCell,
     ];
 
     /// The name by which it is called.
@@ -40,6 +44,7 @@ impl Study {
             Self::OpspaceVsQueue => "opspace-vs-queue",
             Self::Cartesian2r => "cartesian-2r",
             Self::ImpedanceWall => "impedance-wall",
+            Self::WeldingCell => "welding-cell",
         }
     }
 
@@ -55,6 +60,9 @@ impl Study {
             Self::OpspaceVsQueue => "steps, a line and a push in operational space and under joint PID",
             Self::Cartesian2r => "Cartesian speeds for two joints, stopped before singularities and joint stops",
             Self::ImpedanceWall => "a compliant wall under position, impedance and force control",
+            Self::WeldingCell => {
+                "Go-To, seam under sliding mode and under natural motion beside the certified optimum, brake on it, recover"
+            }
         }
     }
 
@@ -78,5 +86,6 @@ pub fn run(study: Study, seed: u64) -> Result<Report, StudyError> {
         Study::OpspaceVsQueue => opspace_vs_queue::run_study(),
         Study::Cartesian2r => cartesian_2r::run_study(seed),
         Study::ImpedanceWall => impedance_wall::run_study(seed),
+        Study::WeldingCell => welding_cell::run(),
     }
 }

@@ -121,6 +121,53 @@ impl<const N: usize> LookAhead<N> {
         rate
     }
 
+    /// The greatest `b` at each node from which the last one can be reached at rest, into `ranges`: what [`LookAhead::greatest_rate`] works
+    /// out anew in each sample, for a path that is known as a whole.
+    ///
+    /// `ranges` is as long as `path_speeds`; what is missing at the end of either is left out. All are 0 unless the spacing is
+    /// positive.
+    pub fn ranges(&self, spacing: f64, path_speeds: &[[f64; N]], ranges: &mut [f64]) {
+        ranges.fill(0.0);
+        if !(spacing > 0.0) {
+            return;
+        }
+        let mut allowed = 0.0;
+        let ends = path_speeds.iter().zip(path_speeds.iter().skip(1));
+        let count = path_speeds.len().min(ranges.len()).saturating_sub(1);
+        // Of ranges that end before the path only the part that they cover is filled, from its own end at rest.
+        for ((near, far), range) in ends.take(count).zip(ranges.iter_mut()).rev() {
+            allowed = self.range_from(&Stretch { near, far, node: 0.0, spacing, allowed }, 0.0);
+            *range = allowed;
+        }
+    }
+
+    /// [`LookAhead::greatest_rate`] with the [`LookAhead::ranges`] of the preview's nodes: the same rate, from the few stretches that one
+    /// sample reaches.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub fn greatest_rate_within(&self, preview: &Preview<'_, N>, ranges: &[f64]) -> f64 {
+        if !(preview.offset >= 0.0 && preview.spacing > 0.0) {
+            return 0.0;
+        }
+        let nodes = preview.path_speeds;
+        let ends = nodes.iter().zip(nodes.iter().skip(1));
+        for (index, ((near, far), &allowed)) in ends.zip(ranges.iter().skip(1)).enumerate() {
+            let node = index as f64 * preview.spacing - preview.offset;
+            let stretch = Stretch { near, far, node, spacing: preview.spacing, allowed };
+            if !(stretch.end() > 0.0) {
+                continue;
+            }
+            let begin = node.max(0.0);
+            if !self.is_kept(self.rate_evaluated_at(begin), self.range_from(&stretch, begin)) {
+                return 0.0;
+            }
+            if !self.is_kept(self.rate_evaluated_at(stretch.end()), allowed) {
+                return self.held_rate(&stretch, begin);
+            }
+        }
+        0.0
+    }
+
     /// The greatest `b` at a place of a stretch from which its far end's range can be reached.
     fn range_from(&self, stretch: &Stretch<'_, N>, begin: f64) -> f64 {
         let near = between(stretch.near, stretch.far, (begin - stretch.node) / stretch.spacing);

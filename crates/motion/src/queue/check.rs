@@ -25,6 +25,10 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         // Twice round is further than any span of a law that is worth checking reaches.
         let rounds = if self.repeat == Repeat::Forever { 2 } else { 1 };
         for segment in (0..rounds).flat_map(|_| &self.segments) {
+            if !segment.motion.runs_on_path_time() {
+                // It begins at rest and takes no notice of a law of the pace.
+                return true;
+            }
             let end = begin + segment.motion.duration();
             if from <= end && !segment.keeps(self.limits.axes(), (from - begin).max(0.0), to - begin, pace) {
                 return false;

@@ -4,6 +4,7 @@ mod check;
 mod commands;
 mod interrupt;
 mod rate;
+mod regulated;
 mod segment;
 mod tool_commands;
 
@@ -100,10 +101,18 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(MotionError::SamplingPeriod { period: dt });
         }
+        if self.is_regulated() {
+            return self.advance_regulated(dt);
+        }
         self.follow_wanted_rate();
         let (clock, rate) = (self.clock, self.rate);
         self.clock += self.rate.advance(dt);
         let left = self.leave_finished_segments();
+        if self.is_regulated() {
+            // What is left of the sample belongs to the next segment; one that begins at rest may begin a fraction of a sample later.
+            let rest = std::mem::take(&mut self.clock);
+            return if rest > 0.0 { self.advance_regulated(rest) } else { Ok(self.present) };
+        }
         match self.state_at_clock() {
             Ok(state) => {
                 self.present = state;
@@ -139,6 +148,8 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     pub fn progress(&self) -> Progress {
         if self.segments.is_empty() {
             Progress::Resting
+        } else if let Some(motion) = self.regulated() {
+            if self.rate.wanted == 0.0 && motion.is_resting() { Progress::Paused } else { Progress::Moving }
         } else if self.rate.is_settled() && self.rate.now().velocity == 0.0 {
             Progress::Paused
         } else {
@@ -152,7 +163,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         let Some(segment) = self.segments.front() else { return QueueState::Resting };
         let kind = match segment.motion {
             Motion::Joint(_) => SegmentKind::Joint,
-            Motion::Tool(_) => SegmentKind::Tool,
+            Motion::Tool(_) | Motion::Regulated(_) => SegmentKind::Tool,
         };
         if self.progress() == Progress::Paused { QueueState::Paused(kind) } else { QueueState::Ready(kind) }
     }
@@ -175,7 +186,8 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         self.segments.is_empty()
     }
 
-    /// Path time left until the queue's end (once round, if it goes round), s.
+    /// Path time left until the queue's end (once round, if it goes round), s. Of curves whose speed is decided sample by sample an
+    /// estimate, which stays as it is until the curve is done.
     #[must_use]
     pub fn path_time_left(&self) -> f64 {
         self.segments.iter().map(|s| s.motion.duration()).sum::<f64>() - self.clock
@@ -196,7 +208,8 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
     /// Leaves the segments in the past and returns how many they were.
     fn leave_finished_segments(&mut self) -> usize {
         let mut left = 0;
-        while let Some(duration) = self.segments.front().map(|s| s.motion.duration())
+        while let Some(duration) =
+            self.segments.front().filter(|s| s.motion.runs_on_path_time()).map(|s| s.motion.duration())
             && self.clock >= duration
         {
             self.clock -= duration;

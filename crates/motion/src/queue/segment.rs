@@ -1,6 +1,6 @@
 use super::rate::Pace;
 use crate::profile::Ramp;
-use crate::tool::{ToolKinematics, ToolMotion};
+use crate::tool::{RegulatedMotion, ToolKinematics, ToolMotion};
 use crate::{AxisLimits, Interpolation, JointMotion, JointState, MotionError, Range};
 use slideway_robot::JointVector;
 
@@ -11,15 +11,27 @@ use slideway_robot::JointVector;
 pub(super) enum Motion<const N: usize> {
     /// The joints, each by its profile.
     Joint(JointMotion<N>),
-    /// The tool along a line.
+    /// The tool along a curve, by a profile.
     Tool(ToolMotion<N>),
+    /// The tool along a curve, its speed decided sample by sample.
+    Regulated(RegulatedMotion<N>),
 }
 
 impl<const N: usize> Motion<N> {
+    /// Whether the motion runs on path time; else it runs by itself.
+    pub(super) fn runs_on_path_time(&self) -> bool {
+        match self {
+            Self::Joint(_) | Self::Tool(_) => true,
+            Self::Regulated(_) => false,
+        }
+    }
+
+    /// Duration in path time, s; of a regulated motion an estimate.
     pub(super) fn duration(&self) -> f64 {
         match self {
             Self::Joint(m) => m.duration(),
             Self::Tool(m) => m.law().duration(),
+            Self::Regulated(m) => m.estimated_duration(),
         }
     }
 
@@ -27,6 +39,7 @@ impl<const N: usize> Motion<N> {
         match self {
             Self::Joint(m) => m.at(0.0).q,
             Self::Tool(m) => *m.start(),
+            Self::Regulated(m) => *m.start(),
         }
     }
 
@@ -34,6 +47,7 @@ impl<const N: usize> Motion<N> {
         match self {
             Self::Joint(m) => m.end().q,
             Self::Tool(m) => *m.end(),
+            Self::Regulated(m) => *m.end(),
         }
     }
 }
@@ -65,7 +79,8 @@ const ROUNDING: f64 = 1e-9;
 
 impl<const N: usize> Segment<N> {
     /// State at path time `s` when path time runs at a pace `r` with slope `w`:
-    /// `q̇ = r Q'`, `q̈ = r² Q'' + w Q'`. The tool's segments need its kinematics and a joint position close by.
+    /// `q̇ = r Q'`, `q̈ = r² Q'' + w Q'`. The tool's segments need its kinematics and a joint position close by; a regulated one is
+    /// where it is.
     pub(super) fn at(
         &self,
         s: f64,
@@ -79,6 +94,7 @@ impl<const N: usize> Segment<N> {
                 let kinematics = tool.ok_or(MotionError::NoTool)?;
                 motion.follow(kinematics, s, seed).map_err(|fault| motion.fault(s, fault))?
             }
+            Motion::Regulated(motion) => return motion.set_point(tool.ok_or(MotionError::NoTool)?),
         };
         Ok(JointState { q, qd: qd * rate, qdd: qdd * (rate * rate) + qd * slope })
     }
@@ -105,6 +121,8 @@ impl<const N: usize> Segment<N> {
                     let (v, a) = motion.bounds(joint, from, to);
                     (Range { lower: -v, upper: v }, Range { lower: -a, upper: a }, None)
                 }
+                // It keeps its limits by itself, at every pace.
+                Motion::Regulated(_) => return true,
             };
             let total = square.times(acceleration).plus(w.times(velocity));
             let keeps_jerk = jerk.is_none_or(|jerk| {

@@ -38,6 +38,16 @@ pub enum ToolFault {
         /// By how much, rad or m.
         jump: f64,
     },
+    /// No rate of the path keeps a joint's acceleration, which the plan did not foresee.
+    #[error("joint {} would accelerate by {acceleration:.6}, its limit is {limit:.6}", joint + 1)]
+    TooRough {
+        /// Joint, counted from 0.
+        joint: usize,
+        /// Its acceleration, per s².
+        acceleration: f64,
+        /// Its limit, per s².
+        limit: f64,
+    },
     /// A joint would be faster than its limit, which the check before the motion did not foresee.
     #[error("joint {} would move at {speed:.6}, its limit is {limit:.6}", joint + 1)]
     TooFast {
@@ -82,6 +92,12 @@ impl<const N: usize> ToolKinematics<N> {
     #[must_use]
     pub fn arm(&self) -> &SerialArm<N> {
         &self.arm
+    }
+
+    /// The task.
+    #[must_use]
+    pub fn task(&self) -> Task {
+        self.task
     }
 
     /// The joint state that moves the tool along, from a joint position close by.

@@ -1,11 +1,22 @@
-use super::ToolLine;
-use crate::profile::{Cubics, Ramp, TrapezoidEnds, bounded_jerk, trapezoid};
-use crate::{AxisLimits, AxisState, MotionError};
+use super::ToolCurve;
+use crate::profile::Ramp;
+use crate::{AxisLimits, MotionError};
+
+/// How fast a Cartesian segment is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpeedLaw {
+    /// A profile from rest to rest, laid down before the motion; see [`super::ToolMotion`].
+    Profile(ToolLimits),
+    /// As fast as the joints' limits allow, decided sample by sample; see [`super::RegulatedMotion`].
+    SlidingMode(Regulation),
+    /// Natural motion where the limits allow it, decided sample by sample; see [`super::RegulatedMotion`].
+    Natural(Regulation),
+}
 
 /// What the tool may do at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolLimits {
-    /// Speed (m/s), acceleration and jerk of the tool's origin.
+    /// Speed (m/s), acceleration and jerk of the tool's origin along its path.
     pub linear: AxisLimits,
     /// Speed (rad/s), acceleration and jerk of the turn.
     pub angular: AxisLimits,
@@ -14,57 +25,27 @@ pub struct ToolLimits {
 }
 
 impl ToolLimits {
-    /// The limits of the parameter of a line: those of the slower of shift and turn. `None` for a line without extent.
-    pub(super) fn along(&self, line: &ToolLine) -> Option<Result<AxisLimits, MotionError>> {
+    /// The limits of the parameter of a curve: those of the slower of shift and turn. `None` for a curve without extent.
+    pub(super) fn along(&self, curve: &ToolCurve) -> Option<Result<AxisLimits, MotionError>> {
         let slower =
-            |of: fn(&AxisLimits) -> f64| (of(&self.linear) / line.length()).min(of(&self.angular) / line.angle());
+            |of: fn(&AxisLimits) -> f64| (of(&self.linear) / curve.length()).min(of(&self.angular) / curve.angle());
         let (v, a, j) = (slower(AxisLimits::velocity), slower(AxisLimits::acceleration), slower(AxisLimits::jerk));
         if v == f64::INFINITY { None } else { Some(AxisLimits::new(v, a, j)) }
     }
 }
 
-/// How fast a Cartesian segment is followed: the parameter `u` of its line in time.
+/// Settings of a law that decides sample by sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-// Boxing the larger variant would allocate in the control loop.
-#[allow(clippy::large_enum_variant)]
-pub enum SpeedLaw {
-    /// A profile from 0 to 1, laid down before the motion.
-    Profile(Cubics),
+pub struct Regulation {
+    /// Its sampling period, s: that of the control loop, as a rule.
+    pub sampling_period: f64,
+    /// Bandwidth of the sliding mode's filter, rad/s; times the sampling period at most 1.
+    pub bandwidth: f64,
+    /// Share of the acceleration limits in [0, 1) that the plan ahead leaves to the discretisation.
+    pub margin: f64,
 }
 
-impl SpeedLaw {
-    /// The fastest profile from rest to rest.
-    pub(super) fn profile(limits: &AxisLimits, ramp: Ramp) -> Self {
-        Self::Profile(match ramp {
-            Ramp::JerkLimited => bounded_jerk(0.0, 1.0, limits),
-            Ramp::AccelerationLimited => {
-                let ends = TrapezoidEnds { start: 0.0, start_velocity: 0.0, goal: 1.0, goal_velocity: 0.0 };
-                trapezoid(&ends, limits)
-            }
-        })
-    }
-
-    /// Duration, s.
-    #[must_use]
-    pub fn duration(&self) -> f64 {
-        match self {
-            Self::Profile(p) => p.duration(),
-        }
-    }
-
-    /// `u` and its derivatives at time `t`.
-    #[must_use]
-    pub fn at(&self, t: f64) -> AxisState {
-        match self {
-            Self::Profile(p) => p.at(t),
-        }
-    }
-
-    /// The same law, `factor` times as slow.
-    #[must_use]
-    pub fn stretched(&self, factor: f64) -> Self {
-        match self {
-            Self::Profile(p) => Self::Profile(p.stretched(factor)),
-        }
-    }
+impl Regulation {
+    /// A millisecond, 100 rad/s and 2 %.
+    pub const DEFAULT: Self = Self { sampling_period: 1e-3, bandwidth: 100.0, margin: 0.02 };
 }

@@ -1,7 +1,8 @@
-use super::{SpeedLaw, ToolFault, ToolKinematics, ToolLimits, ToolLine};
-use crate::profile::Ramp;
-use crate::{JointState, MotionError, MotionLimits, Range};
-use slideway_robot::{JointVector, Pose};
+use super::walk::check;
+use super::{ToolCurve, ToolFault, ToolKinematics, ToolLimits};
+use crate::profile::{Cubics, Ramp, TrapezoidEnds, bounded_jerk, trapezoid};
+use crate::{AxisLimits, JointState, MotionError, MotionLimits};
+use slideway_robot::JointVector;
 
 /// Windows along a motion, each with its own bounds of joint speeds and accelerations.
 const WINDOWS: usize = 16;
@@ -12,11 +13,12 @@ const SAMPLES: usize = 16;
 /// Room left below the joints' limits for what happens between the samples of the check.
 const HEADROOM: f64 = 1.02;
 
-/// A checked Cartesian motion from rest to rest.
+/// A checked Cartesian motion from rest to rest, its speed a profile laid down before it begins.
 #[derive(Clone, Copy, Debug)]
 pub struct ToolMotion<const N: usize> {
-    line: ToolLine,
-    law: SpeedLaw,
+    curve: ToolCurve,
+    /// `u` over time.
+    law: Cubics,
     ramp: Ramp,
     start: JointVector<N>,
     end: JointVector<N>,
@@ -25,28 +27,27 @@ pub struct ToolMotion<const N: usize> {
 }
 
 impl<const N: usize> ToolMotion<N> {
-    /// Plans a straight line of the tool from where the joints are to a pose, and follows it once with the inverse kinematics:
-    /// at 256 places it must have a solution, continuous from the start, away from singularities and stops. `None` if the tool
-    /// is there already.
+    /// Plans a motion along a curve that begins where the joints put the tool, and follows it once with the inverse kinematics: at
+    /// 256 places it must have a solution, continuous from the start, away from singularities and stops. `None` if the curve has
+    /// no extent.
     ///
     /// Where a joint would exceed its speed or acceleration the whole law is slowed down until it does not, with two per cent
     /// to spare for what lies between the samples. The jerk of the joints is not checked.
     ///
     /// # Errors
     ///
-    /// [`MotionError::Tool`] with the place along the line, and the cause.
+    /// [`MotionError::Tool`] with the place along the curve, and the cause.
     pub fn plan(
         kinematics: &ToolKinematics<N>,
         limits: &MotionLimits<N>,
         start: &JointVector<N>,
-        goal: &Pose,
+        curve: &ToolCurve,
         tool: &ToolLimits,
     ) -> Result<Option<Self>, MotionError> {
-        let line = ToolLine::new(&kinematics.arm().forward(start), goal);
-        let Some(along) = tool.along(&line) else { return Ok(None) };
-        let law = SpeedLaw::profile(&along?, tool.ramp);
+        let Some(along) = tool.along(curve) else { return Ok(None) };
+        let law = profile(&along?, tool.ramp);
         let bounds = [(JointVector::zeros(), JointVector::zeros()); WINDOWS];
-        let mut motion = Self { line, law, ramp: tool.ramp, start: *start, end: *start, bounds };
+        let mut motion = Self { curve: *curve, law, ramp: tool.ramp, start: *start, end: *start, bounds };
         motion.walk(kinematics, limits)?;
         let stretch = motion.needed_stretch(limits);
         if stretch > 1.0 {
@@ -59,14 +60,14 @@ impl<const N: usize> ToolMotion<N> {
         Ok(Some(motion))
     }
 
-    /// Follows the line, checks it and fills in the bounds and the end.
+    /// Follows the curve, checks it and fills in the bounds and the end.
     fn walk(&mut self, kinematics: &ToolKinematics<N>, limits: &MotionLimits<N>) -> Result<(), MotionError> {
         let step = self.law.duration() / (WINDOWS * SAMPLES) as f64;
         let mut before = JointState::at_rest(self.start);
         for sample in 0..=WINDOWS * SAMPLES {
             let time = step * sample as f64;
             let state = self.follow(kinematics, time, &before.q).map_err(|f| self.fault(time, f))?;
-            self.check(limits, &before, &state, step).map_err(|f| self.fault(time, f))?;
+            check(limits, &before, &state, step).map_err(|f| self.fault(time, f))?;
             // An edge between two windows belongs to both.
             for window in [sample / SAMPLES, sample.saturating_sub(1) / SAMPLES] {
                 if let Some((speed, acceleration)) = self.bounds.get_mut(window) {
@@ -77,30 +78,6 @@ impl<const N: usize> ToolMotion<N> {
             before = state;
         }
         self.end = before.q;
-        Ok(())
-    }
-
-    fn check(
-        &self,
-        limits: &MotionLimits<N>,
-        before: &JointState<N>,
-        state: &JointState<N>,
-        step: f64,
-    ) -> Result<(), ToolFault> {
-        for (joint, axis) in limits.axes().iter().enumerate() {
-            let (was, is) = (before.axis(joint), state.axis(joint));
-            if let Err(MotionError::JointStop { joint, position, limit }) =
-                limits.check_stops(joint, Range::point(is.position))
-            {
-                return Err(ToolFault::JointStop { joint, position, limit });
-            }
-            let jump = is.position - was.position;
-            // Speed changes little from sample to sample; another solution is far away.
-            let expected = 2.0 * step * was.velocity.abs().max(is.velocity.abs()) + step * axis.velocity();
-            if !(jump.abs() <= expected) {
-                return Err(ToolFault::BranchChange { joint, jump });
-            }
-        }
         Ok(())
     }
 
@@ -128,15 +105,14 @@ impl<const N: usize> ToolMotion<N> {
         seed: &JointVector<N>,
     ) -> Result<JointState<N>, ToolFault> {
         let u = self.law.at(t);
-        let direction = self.line.direction();
-        kinematics.follow(&self.line.at(u.position), &(direction * u.velocity), &(direction * u.acceleration), seed)
+        let place = self.curve.at(u.position);
+        let (twist, acceleration) = place.motion(u.velocity, u.acceleration);
+        kinematics.follow(&place.pose, &twist, &acceleration, seed)
     }
 
     /// The place of a fault.
     pub(crate) fn fault(&self, t: f64, cause: ToolFault) -> MotionError {
-        let share = self.law.at(t).position;
-        let place = self.line.at(share).translation.vector;
-        MotionError::Tool { share, place: [place.x, place.y, place.z], cause: Box::new(cause) }
+        self.curve.fault(self.law.at(t).position, cause)
     }
 
     /// Largest joint speed and acceleration of `joint` while time covers `[from, to]`, by samples, with two and four per cent
@@ -151,15 +127,15 @@ impl<const N: usize> ToolMotion<N> {
         windows.fold((0.0, 0.0), |(v, a), (_, (speed, acceleration))| (v.max(speed[joint]), a.max(acceleration[joint])))
     }
 
-    /// The line.
+    /// The curve.
     #[must_use]
-    pub fn line(&self) -> &ToolLine {
-        &self.line
+    pub fn curve(&self) -> &ToolCurve {
+        &self.curve
     }
 
-    /// The speed law.
+    /// The profile of `u`.
     #[must_use]
-    pub fn law(&self) -> &SpeedLaw {
+    pub fn law(&self) -> &Cubics {
         &self.law
     }
 
@@ -179,5 +155,16 @@ impl<const N: usize> ToolMotion<N> {
     #[must_use]
     pub fn end(&self) -> &JointVector<N> {
         &self.end
+    }
+}
+
+/// The fastest profile of `u` from rest to rest.
+fn profile(limits: &AxisLimits, ramp: Ramp) -> Cubics {
+    match ramp {
+        Ramp::JerkLimited => bounded_jerk(0.0, 1.0, limits),
+        Ramp::AccelerationLimited => {
+            let ends = TrapezoidEnds { start: 0.0, start_velocity: 0.0, goal: 1.0, goal_velocity: 0.0 };
+            trapezoid(&ends, limits)
+        }
     }
 }

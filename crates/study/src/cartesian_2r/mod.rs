@@ -1,7 +1,7 @@
 //! A queue of Cartesian velocities on a planar arm with two joints: `[R16]`, exercise 6.
 //!
 //! Commands are velocities and durations. Before a singularity and before a joint's stop the tool brakes on its line and waits for
-//! a command that leads away. The set-points drive the arm's masses under computed torque. Besides the commands shown, 300
+//! a command that leads away. The set-points drive the arm's masses under computed torque. Besides the commands shown, 100
 //! random sequences are run without masses, and none may leave the joints' ranges.
 
 mod queue;
@@ -31,11 +31,11 @@ const COMMANDS: [Command; 8] = [
     Command { velocity: [0.4, -0.4], duration: 1.2 },
 ];
 /// Number of random sequences and of commands in each.
-const RANDOM: [usize; 2] = [300, 8];
-/// What a set-point may be beyond a range, rad: what can hide between two looks 0.5 mm apart. A range's border is a circle of 0.2 m or
-/// more about the base or a curve no sharper; its sagitta is `LOOK² / (8 · 0.2) = 1.6e-7 m`, and the elbow turns by at most
+const RANDOM: [usize; 2] = [100, 8];
+/// What a set-point may be beyond a range, rad: what can hide between two looks 1 mm apart. A range's border is a circle of 0.2 m or
+/// more about the base or a curve no sharper; its sagitta is `LOOK² / (8 · 0.2) = 6.3e-7 m`, and the elbow turns by at most
 /// `1 / (0.4 sin 0.3) = 8.5 rad` a metre there.
-const HIDDEN: f64 = 2e-6;
+const HIDDEN: f64 = 6e-6;
 
 struct Run {
     asked: Vec<[f64; 2]>,

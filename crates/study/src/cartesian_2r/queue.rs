@@ -10,7 +10,7 @@ pub(super) const ELBOW: [f64; 2] = [0.3, 2.6];
 /// Deceleration on the path, m/s².
 pub(super) const DECELERATION: f64 = 2.0;
 /// Steps in which a line is looked along, m.
-const LOOK: f64 = 5e-4;
+const LOOK: f64 = 1e-3;
 
 /// A velocity (m/s) for a time (s).
 #[derive(Clone, Copy, Debug, PartialEq)]

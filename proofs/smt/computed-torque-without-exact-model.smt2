@@ -1,0 +1,12 @@
+; Twin of computed-torque: one joint whose mass the model has wrong by a share s: the acceleration misses a by 0.05 or more.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const s Real)
+(declare-const a Real)
+(declare-const qdd Real)
+(assert (and (<= (- 0.5) s) (<= s 0.5) (<= (- 2.0) a) (<= a 2.0)))
+(assert (= qdd (* (+ 1.0 s) a)))
+(assert (>= (- qdd a) 0.05))
+(check-sat)
+(get-value (s a))

@@ -1,0 +1,18 @@
+; Claim computed-torque, two joints: the acceleration is the one asked for, whatever the mass matrix and the bias torques.
+(set-logic QF_NRA)
+(declare-const m11 Real)
+(declare-const m12 Real)
+(declare-const m22 Real)
+(declare-const h1 Real)
+(declare-const h2 Real)
+(declare-const a1 Real)
+(declare-const a2 Real)
+(declare-const qdd1 Real)
+(declare-const qdd2 Real)
+(assert (> m11 0.0))
+(assert (> (- (* m11 m22) (* m12 m12)) 0.0))
+; M qdd + h = tau, tau = M a + h.
+(assert (= (+ (* m11 qdd1) (* m12 qdd2) h1) (+ (* m11 a1) (* m12 a2) h1)))
+(assert (= (+ (* m12 qdd1) (* m22 qdd2) h2) (+ (* m12 a1) (* m22 a2) h2)))
+(assert (not (and (= qdd1 a1) (= qdd2 a2))))
+(check-sat)

@@ -1,0 +1,11 @@
+; Twin of impedance-passivity: one joint without spring and damper whose weight is taken for gm instead of g.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const v Real)
+(declare-const g Real)
+(declare-const gm Real)
+(assert (and (<= (- 1.0) v) (<= v 1.0) (<= 0.5 g) (<= g 1.0) (<= 0.0 gm) (<= gm 2.0)))
+(assert (>= (* v (- gm g)) 0.05))
+(check-sat)
+(get-value (v g gm))

@@ -1,0 +1,22 @@
+; Claim transpose-descent, two joints and two coordinates: V' = -|J^T K e|^2 is never positive, and negative for e /= 0 while J is
+; regular and K positive.
+(set-logic QF_NRA)
+(declare-const j11 Real)
+(declare-const j12 Real)
+(declare-const j21 Real)
+(declare-const j22 Real)
+(declare-const e1 Real)
+(declare-const e2 Real)
+(declare-const k1 Real)
+(declare-const k2 Real)
+(define-fun s1 () Real (* k1 e1))
+(define-fun s2 () Real (* k2 e2))
+(define-fun v1 () Real (+ (* j11 s1) (* j21 s2)))
+(define-fun v2 () Real (+ (* j12 s1) (* j22 s2)))
+; e' = -J v.
+(define-fun rate () Real (- (+ (* s1 (+ (* j11 v1) (* j12 v2))) (* s2 (+ (* j21 v1) (* j22 v2))))))
+(assert (and (> k1 0.0) (> k2 0.0)))
+(assert (not (= (- (* j11 j22) (* j12 j21)) 0.0)))
+(assert (not (and (= e1 0.0) (= e2 0.0))))
+(assert (>= rate 0.0))
+(check-sat)
