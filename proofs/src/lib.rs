@@ -1,4 +1,4 @@
-//! What is claimed about the conditioners and about natural motion, and the machine-checked form of each claim.
+//! What is claimed about the conditioners, about natural motion and about the motion queue, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -13,6 +13,7 @@
 //! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`
 //! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
 //! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
+//! In the motion queue: `Q(s)` a motion over its path time `s`, `r = ṡ` the pace, `u` and `w` place and rate of a curve.
 //! In natural motion: `J` Jacobian, `t*` twist of the tool at unit path speed `q̇*`, `n̄` null vector, `b` its coefficient.
 
 pub mod acceleration_box;
@@ -21,6 +22,7 @@ pub mod acceleration_recovery;
 pub mod chattering_band;
 mod claim;
 pub mod command_within_limits;
+pub mod curve_end;
 pub mod delayed_band;
 pub mod drifting_band;
 pub mod energy_and_power;
@@ -40,6 +42,7 @@ pub mod path_gain;
 pub mod path_implicit;
 pub mod path_lag;
 pub mod path_reserve;
+pub mod queue_continuity;
 pub mod switching;
 pub mod z3;
 
@@ -72,4 +75,6 @@ pub const CLAIMS: &[Claim] = &[
     energy_and_power::CLAIM,
     finite_through_singularity::CLAIM,
     never_slower::CLAIM,
+    queue_continuity::CLAIM,
+    curve_end::CLAIM,
 ];

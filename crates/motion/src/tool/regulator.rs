@@ -34,6 +34,9 @@ pub(super) struct Regulator<const N: usize> {
     accelerations: [f64; N],
     target_rate: f64,
     ceiling: Ceiling,
+    /// How far before the end the plan ahead ends, and the largest rate of the last sample in motion: see [`Regulator::new`].
+    reserve: f64,
+    last_rate: f64,
     /// `q'(u)` at the nodes.
     path_speeds: [[f64; N]; INTERVALS + 1],
     /// Largest `u̇²` at the nodes from which the end can be reached at rest.
@@ -101,6 +104,8 @@ impl<const N: usize> Regulator<N> {
         let look_ahead = LookAhead::new(plan)?;
         let mut ranges = [0.0; INTERVALS + 1];
         look_ahead.ranges(place(1), &path_speeds, &mut ranges);
+        let last = path_speeds.last().into_iter().flatten();
+        let braking = last.zip(&accelerations).map(|(v, a)| a / v.abs()).fold(f64::MAX, f64::min);
         Ok(Self {
             period: sampling_period,
             regulator: AccelerationRegulator::new(settings)?,
@@ -109,6 +114,8 @@ impl<const N: usize> Regulator<N> {
             accelerations,
             target_rate,
             ceiling: Ceiling::Limits,
+            reserve: braking * sampling_period * sampling_period / 8.0,
+            last_rate: 0.9 * braking * sampling_period,
             path_speeds,
             ranges,
         })
@@ -142,9 +149,8 @@ impl<const N: usize> Regulator<N> {
         let begun = state.place + 0.5 * self.period * state.rate;
         let predicted = curve.at((state.place + self.period * state.rate).min(1.0));
         let ahead = along(kinematics, &predicted, &state.q)?;
-        let left = if 1.0 - begun > ARRIVED { (1.0 - begun) / self.period } else { 0.0 };
         let natural = self.ceiling.rate(kinematics, &predicted, &ahead.q);
-        let ceiling = (pace * self.seen_from(begun).min(natural)).min(left);
+        let ceiling = self.end_within(begun, pace, pace * self.seen_from((begun + self.reserve).min(1.0)).min(natural));
         let before = AccelerationState::moving(state.factor, state.speed, &self.speeds);
         let Ok(mut regulated) = before else { return Err(self.too_fast(&state.speed)) };
         let demand = AffineSpeed { feedback: [0.0; N], feedforward: (ahead.qd * self.target_rate).into() };
@@ -159,6 +165,13 @@ impl<const N: usize> Regulator<N> {
         }
         state.q = ahead.q;
         Ok(())
+    }
+
+    /// A rate that leads no further than the end: the last sample in motion ends there, if one is enough.
+    fn end_within(&self, begun: f64, pace: f64, rate: f64) -> f64 {
+        let left = if 1.0 - begun > ARRIVED { (1.0 - begun) / self.period } else { 0.0 };
+        let is_last = pace > 0.0 && left <= self.last_rate;
+        if is_last { left } else { rate.min(left) }
     }
 
     /// The largest rate from which the curve can be followed to its end at rest.
