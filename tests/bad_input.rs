@@ -109,6 +109,19 @@ fn missing_files_and_unknown_names_suggest_what_to_do() {
     }
 }
 
+#[test]
+fn a_torque_that_does_not_hold_the_arm_is_told_with_joint_place_and_what_would_do() {
+    let folder = tempfile::tempdir().expect("folder");
+    let lift = slideway_lab::BUILT_IN.iter().find(|b| b.name == "ur20-lift").expect("built in").text;
+    let weak = lift.replace("torque = [300, 620, 260, 50, 40, 20]", "torque = [300, 200, 260, 50, 40, 20]");
+    std::fs::write(folder.path().join("weak.toml"), weak).expect("written");
+    let output = slideway(folder.path(), &["compare", "weak.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let words = String::from_utf8_lossy(&output.stderr).replace("\n  │", "").replace("\n       ", "");
+    assert!(words.contains("joint torque limit 2 at s = "), "{words}");
+    assert!(words.contains("if every such limit gave way by"), "{words}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 

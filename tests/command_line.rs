@@ -90,22 +90,34 @@ fn a_verdict_that_does_not_hold_exits_with_1() {
 }
 
 #[test]
-fn every_built_in_scenario_is_listed_shown_and_runs() {
+fn every_built_in_scenario_is_listed_shown_and_gets_the_verdict_expected_of_it() {
     let folder = tempfile::tempdir().expect("folder");
     let list = stdout(&slideway(folder.path(), &["list"]));
-    let names: Vec<&str> = list.lines().filter_map(|l| l.split_whitespace().next()).collect();
-    assert!(names.len() >= 3);
+    let scenarios = list.lines().skip(1).take_while(|line| line.starts_with(' '));
+    let names: Vec<&str> = scenarios.filter_map(|line| line.split_whitespace().next()).collect();
+    let output = slideway(folder.path(), &["compare", "--all", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let gallery = json(&stdout(&output));
+    let entries = gallery["scenarios"].as_array().expect("a list");
+    let found: Vec<&str> = entries.iter().filter_map(|e| e["scenario"].as_str()).collect();
+    assert_eq!(found, names);
+    for entry in entries {
+        assert_eq!(entry["as_expected"], true, "{entry}");
+        // A certificate closes to 1e-6, or there is nothing to certify.
+        assert!(entry["gap"].as_f64().is_none_or(|gap| gap <= 1e-6), "{entry}");
+    }
     for name in names {
-        let text = stdout(&slideway(folder.path(), &["show", name]));
-        let file = folder.path().join("copy.toml");
-        std::fs::write(&file, text).expect("written");
-        let output = slideway(folder.path(), &["compare", "copy.toml", "--json"]);
-        assert!(matches!(output.status.code(), Some(0 | 1)), "{name}: {}", String::from_utf8_lossy(&output.stderr));
-        let summary = json(&stdout(&output));
-        assert!(summary["verdict"]["holds"].is_boolean(), "{name}");
-        if name.starts_with("puma") {
-            assert_eq!(summary["optimum"]["certified"], true, "{name}");
-        }
+        assert!(folder.path().join("out").join(name).join("report.html").exists());
+        assert!(!stdout(&slideway(folder.path(), &["show", name])).is_empty());
+    }
+    assert!(folder.path().join("out/index.html").exists());
+}
+
+#[test]
+fn all_and_a_scenario_exclude_each_other_and_one_of_them_is_needed() {
+    let folder = tempfile::tempdir().expect("folder");
+    for arguments in [&["compare"][..], &["compare", "--all", "puma-helix"]] {
+        assert_eq!(slideway(folder.path(), arguments).status.code(), Some(2));
     }
 }
 

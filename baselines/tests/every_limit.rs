@@ -2,7 +2,9 @@
 
 mod support;
 
-use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, reachable_profile, refine_optimum, time_optimum};
+use slideway_baselines::time_optimal::{
+    OptimumError, TimeOptimum, needed_widening, reachable_profile, refine_optimum, time_optimum,
+};
 use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SpeedLimit};
 use support::{RandomSpline, straight, violation_at_nodes};
 
@@ -78,6 +80,9 @@ fn an_arm_that_cannot_hold_its_weight_is_told_which_joint_where_and_by_how_much(
         // multiplies by its cap of (1e3)².
         assert!(share <= 0.25 && share > 0.25 - 1e-7, "{share}");
     }
+    // What would do is told too, to 0.1 % of itself.
+    let widening = needed_widening(&path).expect("some");
+    assert!((0.25..0.25 * 1.002).contains(&widening), "{widening}");
 }
 
 #[test]
@@ -124,6 +129,8 @@ fn a_start_too_fast_to_stop_is_told_its_acceleration_limit() {
     assert_eq!((kind, index, proven), (LimitKind::JointAcceleration, 0, true));
     // 4.5 times the limit would do: short by 3.5.
     assert!((share - 3.5).abs() < 1e-6, "{share}");
+    let widening = needed_widening(&path).expect("some");
+    assert!((3.5 - 1e-6..3.5 * 1.002).contains(&widening), "{widening}");
     path.pieces[0].start = EndRate::Given(11.0);
     let error = reachable_profile(&path).expect_err("infeasible");
     let OptimumError::Infeasible { node: 0, kind: LimitKind::JointSpeed, index: 0, share, .. } = error else {

@@ -30,7 +30,7 @@ pub struct LookAheadPoint {
     pub ratio: f64,
 }
 
-/// Draws the time ratio against the window's length on logarithmic axes.
+/// Draws the time ratio against the window's length (logarithmic).
 ///
 /// # Errors
 ///
@@ -86,7 +86,7 @@ impl Figure for LookAhead<'_> {
         let best = self.points.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
         // The shortest window whose time is within one per cent of the best one.
         let enough = self.points.iter().find(|p| p.1 <= 1.01 * best).map_or(f64::NAN, |p| p.0);
-        let message = format!("{} % of the path in sight is as good as all of it.", significant(enough, 2));
+        let message = format!("{} % of the path in sight comes within 1 % of the best time.", significant(enough, 2));
         let legend =
             vec![entry("look-ahead", stroke(Method::AccelerationLookAhead)), reference_entry("optimum, T = T*")];
         Header { heading: format!("What looking ahead buys – {}", self.title), message, legend }
@@ -99,7 +99,7 @@ impl Figure for LookAhead<'_> {
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
         let lengths = span(self.points.iter().map(|p| p.0));
         let x = Axis::logarithmic("window (% of the path)", lengths.clone(), 9);
-        let y = Axis::logarithmic("T / T*", span(self.points.iter().map(|p| p.1).chain([1.0])), 12);
+        let y = Axis::linear("T / T*", span(self.points.iter().map(|p| p.1).chain([1.0])), 6);
         let panel = Panel::new(canvas, &Frame::LABELLED, x, y)?;
         panel.path(&[(lengths.start, 1.0), (lengths.end, 1.0)], &REFERENCE)?;
         let style = stroke(Method::AccelerationLookAhead);

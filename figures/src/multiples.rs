@@ -29,14 +29,23 @@ pub(crate) fn height(panels: usize) -> f64 {
 
 /// Draws panels row by row.
 pub(crate) fn draw<DB: DrawingBackend>(checked: &Checked, canvas: &Canvas<DB>, panels: &[Multiple]) -> Drawn<DB> {
+    place(canvas, panels.len(), |place, i, bottom| draw_panel(checked, place, &panels[i], bottom))
+}
+
+/// Lays out so many panels row by row; `panel` draws one, given its place, its number and the height of its lower labels.
+pub(crate) fn place<DB: DrawingBackend>(
+    canvas: &Canvas<DB>,
+    panels: usize,
+    panel: impl Fn(&Canvas<DB>, usize, f64) -> Drawn<DB>,
+) -> Drawn<DB> {
     let half = canvas.size().0 / 2.0;
-    for (i, panel) in panels.iter().enumerate() {
-        // The lowest panel of each column carries the time labels.
-        let bottom = if i + 2 < panels.len() { Frame::TICKS } else { Frame::LABELLED.bottom };
+    for i in 0..panels {
+        // The lowest panel of each column carries the labels of the horizontal axis.
+        let bottom = if i + 2 < panels { Frame::TICKS } else { Frame::LABELLED.bottom };
         let (_, from_here) = canvas.split_at_height(PANEL * (i / 2) as f64);
         let (row, _) = from_here.split_at_height(PANEL - Frame::TICKS + bottom);
         let (left, right) = row.split_at_width(half);
-        draw_panel(checked, if i.is_multiple_of(2) { &left } else { &right }, panel, bottom)?;
+        panel(if i.is_multiple_of(2) { &left } else { &right }, i, bottom)?;
     }
     Ok(())
 }

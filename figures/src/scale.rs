@@ -10,6 +10,9 @@ pub(crate) enum Spacing {
     Logarithmic,
 }
 
+/// Decimals of a label that fit beside an axis.
+const MOST_DECIMALS: usize = 4;
+
 /// One axis: what it shows and over which range.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
@@ -19,6 +22,9 @@ pub(crate) struct Axis {
     range: Range<f64>,
     ticks: Vec<f64>,
     decimals: usize,
+    /// What is taken off the values in the labels, and the power of ten in which the rest is told.
+    offset: f64,
+    exponent: i32,
     /// Whether ticks and axis are named.
     naming: Naming,
 }
@@ -35,8 +41,35 @@ impl Axis {
         let range = drawable(range);
         let step = round_step((range.end - range.start) / count.max(1) as f64);
         let ticks = multiples(step, &range);
-        let decimals = if step >= 1.0 { 0 } else { (-step.log10().floor()).clamp(0.0, 9.0) as usize };
-        Self { label: label.to_owned(), spacing: Spacing::Linear, range, ticks, decimals, naming: Naming::Shown }
+        let decimals = if step >= 1.0 { 0 } else { (-step.log10().floor()).clamp(0.0, 300.0) as usize };
+        let plain = Self {
+            label: label.to_owned(),
+            spacing: Spacing::Linear,
+            range,
+            ticks,
+            decimals,
+            offset: 0.0,
+            exponent: 0,
+            naming: Naming::Shown,
+        };
+        if decimals > MOST_DECIMALS { plain.in_powers_of_ten() } else { plain }
+    }
+
+    /// The same axis with short labels for a fine step: whole numbers in a power of ten, counted from the middle tick unless zero
+    /// is in sight. The axis' name tells both.
+    fn in_powers_of_ten(self) -> Self {
+        let zero_in_sight = self.range.start <= 0.0 && self.range.end >= 0.0;
+        let middle = self.ticks.get(self.ticks.len() / 2).copied().unwrap_or(0.0);
+        let offset = if zero_in_sight { 0.0 } else { middle };
+        let exponent = -(self.decimals as i32);
+        let (name, unit) = self.label.split_once(" (").unwrap_or((&self.label, "1)"));
+        let less = match offset {
+            0.0 => String::new(),
+            o if o < 0.0 => format!(" + {:.*}", self.decimals, -o),
+            o => format!(" − {o:.*}", self.decimals),
+        };
+        let label = format!("{name}{less} (10{} {unit}", superscript(i64::from(exponent)));
+        Self { label, decimals: 0, offset, exponent, ..self }
     }
 
     /// A logarithmic axis over whole decades, at most `decades` of them below the upper end.
@@ -53,6 +86,8 @@ impl Axis {
             range,
             ticks,
             decimals: 0,
+            offset: 0.0,
+            exponent: 0,
             naming: Naming::Shown,
         }
     }
@@ -79,8 +114,12 @@ impl Axis {
     pub(crate) fn tick_label(&self, tick: f64) -> String {
         match self.spacing {
             _ if self.naming == Naming::Hidden => String::new(),
-            // Adding zero turns -0 into 0.
-            Spacing::Linear => format!("{:.*}", self.decimals, tick + 0.0).replace('-', "−"),
+            Spacing::Linear => {
+                let value = (tick - self.offset) / 10_f64.powi(self.exponent);
+                // Adding zero turns -0 into 0; so does rounding first what is told in whole numbers.
+                let value = if self.exponent == 0 { value } else { value.round() };
+                format!("{:.*}", self.decimals, value + 0.0).replace('-', "−")
+            }
             Spacing::Logarithmic => format!("10{}", superscript(tick.round() as i64)),
         }
     }
@@ -184,6 +223,19 @@ mod tests {
         let axis = Axis::linear("x", -0.13..0.47, 5);
         let labels: Vec<String> = axis.ticks.iter().map(|t| axis.tick_label(*t)).collect();
         assert_eq!(labels, ["−0.1", "0.0", "0.1", "0.2", "0.3", "0.4"]);
+    }
+
+    #[test]
+    fn fine_steps_are_told_in_whole_numbers_of_a_power_of_ten() {
+        let labels = |axis: &Axis| axis.ticks.iter().map(|t| axis.tick_label(*t)).collect::<Vec<_>>();
+        let far = Axis::linear("x (m)", 0.743181..0.743203, 4);
+        assert_eq!(far.label, "x − 0.743195 (10⁻⁶ m)");
+        assert_eq!(labels(&far), ["−10", "−5", "0", "5"]);
+        let near = Axis::linear("e (m)", -2.5e-5..2.5e-5, 4);
+        assert_eq!(near.label, "e (10⁻⁵ m)");
+        assert_eq!(labels(&near), ["−2", "−1", "0", "1", "2"]);
+        let below = Axis::linear("y (m)", -0.76124..-0.76119, 4);
+        assert_eq!(below.label, "y + 0.76121 (10⁻⁵ m)");
     }
 
     #[test]

@@ -126,8 +126,12 @@ impl<'a> Checked<'a> {
     }
 
     /// When the last reference that reaches the path's end does so, with a little room for the robot to arrive, s.
+    ///
+    /// Constant speed and natural motion may take many times as long as the others: they do not set the axis, unless alone.
     pub(crate) fn end(&self) -> f64 {
-        let finish = self.runs.iter().filter_map(|run| run.trace.finish_s).fold(0.0, f64::max);
+        let others = self.runs.iter().any(|run| !run.method.surveys_the_path());
+        let counted = self.runs.iter().filter(|run| !(others && run.method.surveys_the_path()));
+        let finish = counted.filter_map(|run| run.trace.finish_s).fold(0.0, f64::max);
         let last = self.runs.iter().filter_map(|run| run.samples.last()).map(|s| s.t).fold(0.0, f64::max);
         if finish > 0.0 { last.min(1.1 * finish) } else { last }
     }

@@ -53,11 +53,13 @@ pub(crate) fn stroke(method: Method) -> Stroke {
         Method::Ideal => (RGBColor(0xCC, 0x79, 0xA7), 4.0, DOTTED),
         Method::Saturated => (RGBColor(0xE6, 0x9F, 0x00), 4.0, DASH_DOT),
         Method::DirectionPreserving => (RGBColor(0x56, 0xB4, 0xE9), 4.0, DASHED),
+        Method::ConstantSpeed => (RGBColor(0x80, 0x80, 0x00), 5.0, DASH_DOT),
+        Method::NaturalMotion => (RGBColor(0x88, 0x2E, 0x9E), 5.0, DASHED),
         Method::SlidingMode => (RGBColor(0x00, 0x72, 0xB2), 6.0, &[][..]),
         Method::SlidingModeSynchronised => (RGBColor(0x00, 0x9E, 0x73), 4.5, LONG_DASHES),
         Method::SlidingModeImplicit => (RGBColor(0xD5, 0x5E, 0x00), 3.0, SHORT_DASHES),
-        Method::AccelerationLimited => (RGBColor(0xF0, 0xE4, 0x42), 4.0, DASH_DOT),
-        Method::AccelerationLookAhead => (RGBColor(0x5A, 0x3E, 0x1B), 5.0, &[][..]),
+        Method::AccelerationLimited => (RGBColor(0x99, 0x8F, 0x00), 4.0, DASH_DOT),
+        Method::AccelerationLookAhead => (RGBColor(0x8A, 0x5C, 0xC4), 5.0, &[][..]),
     };
     Stroke { color, width, dashes }
 }
@@ -68,6 +70,8 @@ pub(crate) fn label(method: Method) -> &'static str {
         Method::Ideal => "ideal",
         Method::Saturated => "saturated",
         Method::DirectionPreserving => "direction-preserving",
+        Method::ConstantSpeed => "constant speed",
+        Method::NaturalMotion => "natural motion",
         Method::SlidingMode => "sliding mode",
         Method::SlidingModeSynchronised => "synchronised",
         Method::SlidingModeImplicit => "implicit",

@@ -34,4 +34,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-box-without-previous-inside.smt2"),
         },
     }],
+    engines: &[],
 };

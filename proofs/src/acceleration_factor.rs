@@ -31,4 +31,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-factor-without-reachable-ray.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -36,4 +36,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-recovery-without-moderate-gain.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -1,3 +1,5 @@
+use crate::engine::Engine;
+
 /// How the source's own statement fares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -30,7 +32,7 @@ pub struct Twin {
 }
 
 /// One claim, as the ledger shows it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Claim {
     /// Name by which code and documentation refer to it.
     pub name: &'static str,
@@ -44,4 +46,6 @@ pub struct Claim {
     pub negations: &'static [Script],
     /// What goes wrong without a hypothesis.
     pub twins: &'static [Twin],
+    /// Property tests of the shipped code.
+    pub engines: &'static [Engine],
 }

@@ -37,4 +37,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/curve-end-without-half.smt2"),
         },
     }],
+    engines: &[],
 };

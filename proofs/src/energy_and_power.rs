@@ -39,4 +39,5 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[],
 };

@@ -17,7 +17,12 @@
 //!
 //! Dropped hypotheses: `a <= 1` (a set of parameters the shipped filter refuses), and `u` in [0, 1].
 
+use slideway_conditioner::{AffineSpeed, ImplicitSpeedRegulator, SpeedState};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{self, TS, filter_step, limits, settings};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -45,4 +50,66 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[
+        Engine {
+            name: "the_filter_stays_in_range_to_the_last_bit",
+            unit: "1",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: filter_stays,
+        },
+        Engine {
+            name: "the_regulators_stay_in_range_for_every_input",
+            unit: "1",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: regulators_stay,
+        },
+    ],
 };
+
+/// Numbers in [0, 1] with the ends, their neighbours and everything tiny well represented.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn unit(choices: &mut Choices) -> f64 {
+    let (kind, number) = (choices.below(5), choices.unit());
+    match kind {
+        0 => number,
+        1 => [0.0, 1.0, 0.5][(3.0 * number) as usize % 3],
+        2 => f64::from_bits(1.0_f64.to_bits() - (64.0 * number) as u64),
+        3 => f64::from_bits((64.0 * number) as u64),
+        _ => f64::from_bits((1.0_f64.to_bits() as f64 * number) as u64),
+    }
+}
+
+/// How far a number is inside [0, 1].
+fn inside(factor: f64) -> f64 {
+    factor.min(1.0 - factor)
+}
+
+/// No slack: the claim is exact.
+fn filter_stays(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
+    let a = if choices.flag() { filter_step(choices) } else { unit(choices) };
+    let (f, u) = (unit(choices), unit(choices));
+    if !(a / TS > 0.0 && a / TS * TS > 0.0) {
+        return Err(Stop::Skipped);
+    }
+    let next = subject.filter(a / TS, TS, f, u)?;
+    Ok(if next.is_nan() { f64::NAN } else { inside(next) })
+}
+
+fn regulators_stay(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
+    let limits = limits::<2>(choices, -300.0, 300.0)?;
+    let mut settings = settings(limits, filter_step(choices), 5.0);
+    (settings.saturation, settings.advance) = (draw::saturation(choices), draw::advance(choices));
+    let start = unit(choices);
+    let mut explicit = subject.regulator(settings, start)?;
+    let implicit = ImplicitSpeedRegulator::new(settings)?;
+    let (mut state, mut margin) = (SpeedState::moving(start)?, f64::INFINITY);
+    for _ in 0..8 {
+        let desired = AffineSpeed { feedback: draw::wild(choices, 10.0), feedforward: draw::wild(choices, 10.0) };
+        explicit.step(&desired.feedback);
+        implicit.step(&mut state, &desired);
+        margin = worse(margin, worse(inside(explicit.factor()), inside(state.factor())));
+    }
+    Ok(margin)
+}

@@ -40,4 +40,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/finite-through-singularity-without-codimension-one.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -15,7 +15,12 @@
 //!
 //! Dropped hypotheses: that `g` is constant (the drift of a real path: see [`crate::drifting_band`]), and zero error.
 
+use slideway_conditioner::bounds::frozen_band;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{Proportional, filter_step, settings};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -40,4 +45,39 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[
+        Engine {
+            name: "one_joint_keeps_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<1>,
+        },
+        Engine {
+            name: "three_joints_keep_the_band",
+            unit: "share of the band",
+            about: About::SpeedRegulator,
+            cost: Cost::Sample,
+            trial: keeps::<3>,
+        },
+    ],
 };
+
+/// Rounding. The measured `m` is `g f` with at most four roundings (rate, share of the limit, product, ratio), 2 eps. While
+/// `u = 1` the filter adds three more to `(1 - a) m + a g <= band`; while `u = 0` it cannot raise `f`, nor then `m`, because
+/// every operation is monotonic: nothing accumulates. Start and band cost three roundings each. In all less than
+/// 2 (inherited) + 2 (measured) + 1.5 (filter) + 1.5 (band) = 7 eps of the band.
+const SLACK: f64 = 8.0 * f64::EPSILON;
+
+fn keeps<const N: usize>(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
+    let arm = Proportional::<N>::draw(choices)?;
+    let (a, g, place) = (filter_step(choices), choices.between(1.0, 50.0), choices.share());
+    let band = frozen_band(a, g);
+    let mut regulator = subject.regulator(settings(arm.limits, a, g), (place * band / g).min(1.0))?;
+    let mut margin = f64::INFINITY;
+    for _ in 0..100 {
+        let desired = arm.at(regulator.requested_rate());
+        margin = worse(margin, 1.0 + SLACK - regulator.step(&desired).limit_ratio / band);
+    }
+    Ok(margin)
+}

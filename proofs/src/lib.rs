@@ -24,12 +24,20 @@ mod claim;
 pub mod command_within_limits;
 pub mod curve_end;
 pub mod delayed_band;
+pub mod draw;
+pub mod drift_with_feedback;
 pub mod drifting_band;
 pub mod energy_and_power;
+pub mod engine;
 pub mod factor_range;
+pub mod farkas;
+pub mod feedback_band;
 pub mod finite_through_singularity;
 pub mod frozen_band;
 pub mod implicit_band;
+pub mod joint_path;
+pub mod ledger;
+pub mod log_path;
 pub mod look_ahead_tail;
 pub mod nan_brakes;
 pub mod natural_speed;
@@ -42,8 +50,16 @@ pub mod path_gain;
 pub mod path_implicit;
 pub mod path_lag;
 pub mod path_reserve;
+pub mod projection;
 pub mod queue_continuity;
+pub mod random_program;
+pub mod refuted;
+pub mod repair_feasible;
+pub mod subject;
 pub mod switching;
+pub mod synchronised_advance;
+pub mod time_bracket;
+pub mod weak_duality;
 pub mod z3;
 
 pub use claim::{Claim, Script, Twin, Verdict};
@@ -54,6 +70,10 @@ pub const CLAIMS: &[Claim] = &[
     switching::CLAIM,
     frozen_band::CLAIM,
     drifting_band::CLAIM,
+    feedback_band::CLAIM,
+    drift_with_feedback::CLAIM,
+    synchronised_advance::CLAIM,
+    time_bracket::CLAIM,
     chattering_band::CLAIM,
     delayed_band::CLAIM,
     nan_brakes::CLAIM,
@@ -77,4 +97,8 @@ pub const CLAIMS: &[Claim] = &[
     never_slower::CLAIM,
     queue_continuity::CLAIM,
     curve_end::CLAIM,
+    weak_duality::CLAIM,
+    repair_feasible::CLAIM,
+    farkas::CLAIM,
+    projection::CLAIM,
 ];

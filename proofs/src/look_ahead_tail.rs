@@ -37,4 +37,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/look-ahead-tail-without-midpoint.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -18,7 +18,12 @@
 //! Dropped hypotheses: that the comparison is written so that NaN fails it, and that the limits are finite (limits the shipped
 //! code refuses).
 
+use slideway_conditioner::{AffineSpeed, ImplicitSpeedRegulator, SpeedCommand, SpeedState};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{self, filter_step, limits, settings};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -43,4 +48,38 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[Engine {
+        name: "an_input_that_is_not_finite_brakes",
+        unit: "yes or no",
+        about: About::SpeedRegulator,
+        cost: Cost::Sample,
+        trial: brakes,
+    }],
 };
+
+fn stands_still(command: &SpeedCommand<3>) -> bool {
+    command.joint_speed == [0.0; 3] && command.path_rate == 0.0
+}
+
+/// The explicit claims are exact. The implicit u is `1 - f' / a` with `f' = f + a (1 - f) >= a`, whose three roundings and
+/// the quotient's can leave it 2 eps above 0.
+fn brakes(choices: &mut Choices, subject: Subject) -> Result<f64, Stop> {
+    let limits = limits::<3>(choices, -3.0, 3.0)?;
+    let mut settings = settings(limits, filter_step(choices), 5.0);
+    (settings.saturation, settings.advance) = (draw::saturation(choices), draw::advance(choices));
+    let start = choices.share();
+    let bad = choices.pick([f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+    let (place, in_feedforward) = (choices.below(3), choices.flag());
+    let mut speeds = [draw::wild::<3>(choices, 1.0), draw::wild::<3>(choices, 1.0)];
+    speeds[usize::from(in_feedforward)][place] = bad;
+    let [feedback, feedforward] = speeds;
+
+    let mut state = SpeedState::moving(start)?;
+    let command = ImplicitSpeedRegulator::new(settings)?.step(&mut state, &AffineSpeed { feedback, feedforward });
+    let implicit = stands_still(&command) && command.switch <= 2.0 * f64::EPSILON && state.factor() == 0.0;
+
+    let mut regulator = subject.regulator(settings, start)?;
+    let command = regulator.step(if in_feedforward { &feedforward } else { &feedback });
+    let explicit = stands_still(&command) && command.switch == 0.0 && regulator.factor() <= start;
+    Ok(exactly(implicit && explicit))
+}

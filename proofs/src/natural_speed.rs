@@ -32,4 +32,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/natural-speed-without-constant-b.smt2"),
         },
     }],
+    engines: &[],
 };

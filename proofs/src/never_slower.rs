@@ -33,4 +33,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/never-slower-without-settled-filter.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -33,4 +33,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/null-vector-without-one-sign.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -44,4 +44,5 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[],
 };

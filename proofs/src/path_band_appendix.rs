@@ -33,4 +33,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-band-appendix-without-push-beating-drift.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -30,4 +30,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-equivalence-without-positive-multiplier.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -33,4 +33,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-gain-without-largest-multiplier.smt2"),
         },
     }],
+    engines: &[],
 };

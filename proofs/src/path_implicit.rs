@@ -45,4 +45,5 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
+    engines: &[],
 };

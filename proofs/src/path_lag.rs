@@ -30,4 +30,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-lag-without-approach.smt2"),
         },
     }],
+    engines: &[],
 };

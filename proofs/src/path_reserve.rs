@@ -36,4 +36,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-reserve-without-reserve.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -40,4 +40,5 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/queue-continuity-without-whole-span.smt2"),
         },
     }],
+    engines: &[],
 };

@@ -21,7 +21,7 @@ pub enum OptimumError {
     },
     /// No profile keeps the limits. Named is the limit that matters most in the proof.
     #[error(
-        "no speed profile keeps the {kind} limit {} at s = {s} (node {node} of piece {}): short by at least {:.3} % of its range",
+        "no speed profile keeps the {kind} limit {} at s = {s:.6} (node {node} of piece {}): short by at least {:.3} % of its range",
         index + 1, piece + 1, 100.0 * share
     )]
     Infeasible {

@@ -35,6 +35,7 @@ mod refine;
 mod repair;
 mod strip;
 mod violation;
+mod widening;
 
 pub use certificate::lower_bound;
 pub use conic::{ConicAnswer, solve_conic};
@@ -45,6 +46,7 @@ pub use refine::{Refined, refine_optimum, refine_profile};
 pub use repair::{feasible_time, repair};
 pub use strip::{Row, RowSource, Strip};
 pub use violation::Violation;
+pub use widening::needed_widening;
 
 use crate::outward::Outward;
 use slideway_lab::{SampledPath, SampledPiece};

@@ -19,6 +19,10 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
     Compare(CompareArguments),
+    /// Put the papers' tables and figures beside what comes out here: value, difference, agreement, remark.
+    ///
+    /// Exit status: 0 everything that is known to agree does, 1 something no longer does.
+    Reproduce(ReproduceArguments),
     /// Print pose, Jacobian and dynamics of a robot at one state.
     ///
     /// The PUMA-560's base frame sits at its shoulder, as in `[G11]`; on its pedestal poses would be 0.67183 m higher.
@@ -32,6 +36,14 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 the study found what it claims, 1 it did not, 2 the input is wrong.
     Study(StudyArguments),
+    /// Print the ledger of claims: what is proven, and what a run of the property tests measures here and now.
+    ///
+    /// Exit status: 0 every claim holds, 1 one is violated or its proof fails, 2 the input is wrong.
+    Claims(ClaimsArguments),
+    /// Search for counterexamples by simulated annealing on the margin of each claim.
+    ///
+    /// Exit status: 0 none was found, 1 one was, with the choices that give it again, 2 the input is wrong.
+    Attack(AttackArguments),
     /// Show the built-in scenarios, robots and studies.
     List,
     /// Print a built-in scenario, to start your own from.
@@ -58,11 +70,90 @@ pub(crate) enum Kind {
     Conditioning,
 }
 
+/// Published tables and figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Source {
+    /// Table I of `[N]`: the two-joint limb under natural motion and constant speed.
+    #[value(name = "table-1")]
+    Table1,
+    /// Table II of `[N]`: the PA-10.
+    #[value(name = "table-2")]
+    Table2,
+    /// Table 1 of `[G11]`: errors of the speed laws on the helix.
+    #[value(name = "speed-table-1")]
+    SpeedTable1,
+    /// What figures and text of the papers say in numbers.
+    Figures,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReproduceArguments {
+    /// What to reproduce.
+    #[arg(value_enum, required_unless_present = "all", conflicts_with = "all")]
+    pub(crate) source: Option<Source>,
+    /// Reproduce everything, and write a page with the figures.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Where `--all` writes.
+    #[arg(long, value_name = "DIR", default_value = "out/reproduce", requires = "all")]
+    pub(crate) out: PathBuf,
+    /// Print JSON instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// How long the property tests run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Level {
+    /// 2,000 cases a property: seconds.
+    Quick,
+    /// 100,000: a minute or two.
+    Smoke,
+    /// 10,000,000: a night.
+    Nightly,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct ClaimsArguments {
+    /// How long to run.
+    #[arg(long, value_enum, default_value_t = Level::Quick)]
+    pub(crate) level: Level,
+    /// Cases per property, instead of a level.
+    #[arg(long, value_name = "N")]
+    pub(crate) cases: Option<NonZeroU64>,
+    /// This claim alone.
+    #[arg(long, value_name = "NAME", conflicts_with = "markdown")]
+    pub(crate) claim: Option<String>,
+    /// Print JSON instead of the table.
+    #[arg(long, conflicts_with = "markdown")]
+    pub(crate) json: bool,
+    /// Print the text of proofs/CLAIMS.md.
+    #[arg(long)]
+    pub(crate) markdown: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct AttackArguments {
+    /// How long to search, all claims together, in minutes.
+    #[arg(long, value_name = "M", default_value_t = 1.0)]
+    pub(crate) minutes: f64,
+    /// This claim alone.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) claim: Option<String>,
+    /// Where the random sequence begins; another one searches elsewhere.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) seed: u64,
+}
+
 #[derive(Debug, clap::Args)]
 pub(crate) struct CompareArguments {
     /// Name of a built-in scenario, or path of a scenario file (TOML).
-    pub(crate) scenario: String,
-    /// Where to write the results [default: `out/` and the scenario's name].
+    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    pub(crate) scenario: Option<String>,
+    /// Run every built-in scenario and write one page about them all; exit status 1 if a verdict is not the one expected.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Where to write the results [default: `out/` and the scenario's name; with --all, `out`].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// By how much the sliding mode may miss the optimum, as a fraction [default: the scenario's, else 0.02].

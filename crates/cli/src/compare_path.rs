@@ -1,8 +1,8 @@
-use crate::args::CompareArguments;
-use crate::commands::{Outcome, scenario_error};
-use crate::compare::{create, progress, show, write_summary};
+use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::convergence::{Convergence, convergence};
 use crate::diagnostic::CliError;
+use crate::loaded::scenario_error;
+use crate::output::{as_json, create, progress, write_summary};
 use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
@@ -15,11 +15,12 @@ use std::path::Path;
 
 /// Runs every method on a path-conditioning scenario.
 pub(crate) fn compare_conditioning(
-    arguments: &CompareArguments,
+    name: &str,
+    options: &CompareOptions,
     scenario: &ConditioningScenario,
     out: &Path,
-) -> Result<Outcome, CliError> {
-    let pointed = |error: LabError| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
+) -> Result<Compared, CliError> {
+    let pointed = |error: LabError| scenario_error(error, name, Some(scenario.text().to_owned()));
     let progress = progress(PathMethod::ALL.len() as u64 + 2);
     let problem = scenario.problem().map_err(pointed)?;
     let mut traces = Vec::new();
@@ -40,7 +41,7 @@ pub(crate) fn compare_conditioning(
     traces.push(potential_field_trace(&problem));
     progress.inc(1);
 
-    let tolerance = arguments.tolerance.or(scenario.tolerance());
+    let tolerance = options.tolerance.or(scenario.tolerance());
     progress.set_message("shorter sampling periods");
     let convergence = convergence(&problem).map_err(pointed)?;
     progress.inc(1);
@@ -48,8 +49,13 @@ pub(crate) fn compare_conditioning(
     progress.set_message("writing traces and figures");
     write(out, scenario, &problem, &traces, &summary)?;
     progress.finish_and_clear();
-    show(arguments.json, &summary, &path_report::table(&summary), out)?;
-    Ok(if summary.verdict.holds { Outcome::Holds } else { Outcome::Fails })
+    Ok(Compared {
+        holds: summary.verdict.holds,
+        sentence: summary.verdict.sentence.clone(),
+        key: KeyFigures { ratio: summary.verdict.ratio, ..KeyFigures::default() },
+        summary: as_json(&summary)?,
+        table: path_report::table(&summary),
+    })
 }
 
 fn summarise(

@@ -1,4 +1,5 @@
 use crate::sweep_error::SweepFailure;
+use crate::table::short;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
@@ -19,6 +20,9 @@ pub(crate) enum CliError {
     /// Neither a built-in scenario nor a file.
     #[error("there is no built-in scenario and no file called `{name}`")]
     UnknownScenario { name: String, nearest: Option<&'static str> },
+    /// No claim of that name.
+    #[error("there is no claim called `{name}`")]
+    UnknownClaim { name: String, nearest: Option<&'static str> },
     /// An option with a value that makes no sense.
     #[error("--{option} is {value}")]
     Option { option: &'static str, value: f64, remedy: &'static str },
@@ -55,6 +59,9 @@ pub(crate) enum CliError {
     /// No optimum.
     #[error("no optimum: {0}")]
     Optimum(#[from] OptimumError),
+    /// Limits that no profile keeps, and by which share of their half ranges they would have to give way.
+    #[error("no optimum: {error}")]
+    Infeasible { error: OptimumError, widening: Option<f64> },
     /// No figures.
     #[error("no figures: {0}")]
     Figures(#[from] FigureError),
@@ -83,6 +90,10 @@ impl CliError {
     fn remedy(&self) -> String {
         match self {
             Self::Scenario { error, .. } => error.remedy(),
+            Self::UnknownClaim { nearest: Some(nearest), .. } => {
+                format!("did you mean `{nearest}`? `slideway claims` shows all of them")
+            }
+            Self::UnknownClaim { .. } => "`slideway claims` shows all of them".to_owned(),
             Self::UnknownScenario { nearest: Some(nearest), .. } => {
                 format!("did you mean `{nearest}`? `slideway list` shows the built-in scenarios")
             }
@@ -111,9 +122,14 @@ impl CliError {
                 "check that the folder exists and may be written, or choose another with --out".into()
             }
             Self::Optimum(OptimumError::NoMotion { .. }) => "give a path along which the joints move".into(),
-            Self::Optimum(OptimumError::Infeasible { .. }) => {
-                "raise the limit named, or change the path or its speed at the ends there".into()
-            }
+            Self::Infeasible { widening, .. } => match widening {
+                Some(share) => format!(
+                    "raise the limit named, or change the path or its speed at the ends there; if every such limit gave way by {} % \
+                     of half its range, there would be a profile",
+                    short(100.0 * share)
+                ),
+                None => "raise the limit named, or change the path or its speed at the ends there".into(),
+            },
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
             Self::Sweep(failure) => failure.remedy(),
             Self::Figures(_) => "check that the output folder may be written".into(),

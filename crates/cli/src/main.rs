@@ -3,14 +3,24 @@
 //! Exit status: 0 the verdict holds, 1 it does not, 2 the input is wrong.
 
 mod args;
+mod attack;
+mod claims;
 mod commands;
 mod compare;
 mod compare_path;
+mod compare_speed;
+mod compared;
 mod convergence;
 mod diagnostic;
+mod effort_table;
+mod gallery;
+mod laws;
+mod loaded;
+mod output;
 mod path_report;
 mod path_summary;
 mod report;
+mod reproduce;
 mod robot;
 mod robot_state;
 mod study;

@@ -1,4 +1,5 @@
-use crate::summary::{MethodEntry, Summary, excess_in_words};
+use crate::effort_table;
+use crate::summary::{MethodEntry, Summary};
 use crate::table::short;
 use crate::windows::WindowEntry;
 use slideway_figures::Rendered;
@@ -28,11 +29,9 @@ impl Page<'_> {
         let file =
             |text| format!("<details><summary>The scenario file</summary><pre>{}</pre></details>\n", escape(text));
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} - slideway</title>\n\
-             <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n<p>{}</p>\n\
+            "{}<h1>{title}</h1>\n<p>{}</p>\n\
              <p class=\"verdict {}\">{}</p>\n{}\n{figures}\n{}</main>\n</body>\n</html>\n",
+            page_head(self.title),
             escape(self.description),
             if self.holds { "holds" } else { "fails" },
             escape(self.verdict),
@@ -42,6 +41,17 @@ impl Page<'_> {
     }
 }
 
+/// A page up to its content.
+pub(crate) fn page_head(title: &str) -> String {
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{} - slideway</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n",
+        escape(title)
+    )
+}
+
 /// The report of a comparison of speed laws.
 pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Rendered]) -> String {
     let page = Page {
@@ -49,7 +59,10 @@ pub(crate) fn render_speed(summary: &Summary, scenario: &Scenario, figures: &[Re
         description: &summary.description,
         holds: summary.verdict.holds,
         verdict: &summary.verdict.sentence,
-        body: methods(&summary.methods) + &optimum(summary) + &windows(&summary.look_ahead),
+        body: methods(&summary.methods)
+            + &effort_table::render_html(summary)
+            + &optimum(summary)
+            + &windows(&summary.look_ahead),
         figures,
         scenario: Some(scenario.text()),
     };
@@ -155,27 +168,20 @@ fn optimum(summary: &Summary) -> String {
         .optimum_speed_only
         .as_ref()
         .map_or_else(String::new, |o| block("The optimum under speed limits alone", o));
-    let excesses: String = summary
-        .position_excesses
-        .iter()
-        .map(|excess| {
-            format!("<li>{}; ranges of joints are reported, not enforced</li>", escape(&excess_in_words(excess)))
-        })
-        .collect();
-    let notes =
-        if excesses.is_empty() { excesses } else { format!("<h2>Ranges of the joints</h2>\n<ul>{excesses}</ul>\n") };
+    let notes: String = summary.notes().iter().map(|note| format!("<li>{}</li>", escape(note))).collect();
+    let notes = if notes.is_empty() { notes } else { format!("<h2>The joint path</h2>\n<ul>{notes}</ul>\n") };
     limit_use(summary) + &main + &speed_only + &notes
 }
 
 fn figure(figure: &Rendered) -> String {
-    // The figures' own colours of paper, ink and grid become the page's, so that they follow the reader's colour scheme.
-    let svg = figure
-        .svg
-        .replace("#FFFFFF", "var(--paper)")
-        .replace("#1A1A1A", "var(--ink)")
-        .replace("#D9D9D9", "var(--grid)");
-    let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
-    format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(&figure.caption))
+    format!("<figure>{}<figcaption>{}</figcaption></figure>\n", inline_svg(&figure.svg), escape(&figure.caption))
+}
+
+/// A figure's SVG as part of a page: its own colours of paper, ink and grid become the page's, so that they follow the
+/// reader's colour scheme.
+pub(crate) fn inline_svg(svg: &str) -> String {
+    let svg = svg.replace("#FFFFFF", "var(--paper)").replace("#1A1A1A", "var(--ink)").replace("#D9D9D9", "var(--grid)");
+    svg.find("<svg").map_or(svg.clone(), |start| svg[start..].to_owned())
 }
 
 pub(crate) fn escape(text: &str) -> String {

@@ -1,6 +1,7 @@
 use crate::args::RobotArguments;
-use crate::commands::{Outcome, edit_distance, print, scenario_error, source};
 use crate::diagnostic::CliError;
+use crate::loaded::{edit_distance, scenario_error, source};
+use crate::output::{Outcome, print};
 use crate::robot_state::{Inputs, RobotState, evaluate};
 use comfy_table::{Table, presets};
 use slideway_lab::{MAX_JOINTS, constant, robot_in};

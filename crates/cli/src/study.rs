@@ -1,7 +1,7 @@
 use crate::args::StudyArguments;
-use crate::commands::{Outcome, edit_distance};
-use crate::compare::{create, show, write_summary};
 use crate::diagnostic::CliError;
+use crate::loaded::edit_distance;
+use crate::output::{Outcome, create, show, write_summary};
 use crate::report::{Page, escape};
 use crate::table::short;
 use comfy_table::{Cell, CellAlignment, Table, presets};

@@ -1,10 +1,11 @@
+use crate::laws::ScaledLimits;
 use crate::verdict::Verdict;
 use crate::windows::WindowEntry;
 use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
+use slideway_lab::{Effort, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -19,8 +20,14 @@ pub(crate) struct Summary {
     pub(crate) optimum: OptimumEntry,
     /// The optimum under the speed limits alone, where the scenario limits accelerations too.
     pub(crate) optimum_speed_only: Option<OptimumEntry>,
+    /// What the optimum costs the drives.
+    pub(crate) optimum_effort: Option<Effort>,
+    /// Mean speeds under other joint-speed limits; empty unless the scenario has a `[natural]` table.
+    pub(crate) scaled_limits: Vec<ScaledLimits>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
+    /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).
+    pub(crate) spare_joints: usize,
     /// Joints that leave their position ranges along the path.
     pub(crate) position_excesses: Vec<PositionExcess>,
     /// The look-ahead with windows of several lengths; empty without acceleration limits.
@@ -44,6 +51,10 @@ pub(crate) struct MethodEntry {
     pub(crate) reference_ratio: Option<f64>,
     /// The largest use of each kind of limit that the scenario gives, besides constant joint-speed limits.
     pub(crate) limit_use: Vec<LimitUse>,
+    /// Mean speed over the optimum's, `1 / ratio`.
+    pub(crate) relative_speed: Option<f64>,
+    /// What it costs the drives once under way.
+    pub(crate) effort: Option<Effort>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,
 }
@@ -99,6 +110,21 @@ impl From<Violation> for BetweenNodes {
     }
 }
 
+impl Summary {
+    /// Remarks on the joint path, in words.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let spare = (self.spare_joints > 0).then(|| {
+            format!(
+                "{} more than the path prescribes: of all joint motions the smallest is taken (pseudo-inverse), by every method and \
+                 by the joint path of the optimum",
+                if self.spare_joints == 1 { "one joint".into() } else { format!("{} joints", self.spare_joints) }
+            )
+        });
+        let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
+        spare.into_iter().chain(self.position_excesses.iter().map(outside)).collect()
+    }
+}
+
 /// A joint that leaves its range, in words.
 pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
     let PositionExcess { joint, lambda, position, lower, upper, .. } = excess;
@@ -145,20 +171,21 @@ pub(crate) struct Solved {
 impl Solved {
     /// Solves on a path, and on one twice as fine; with a tolerance, limits are kept between grid points as well.
     pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
-        let refined_s = time_optimum(finer)?.duration_s;
         let Some(tolerance) = tolerance else {
             let optimum = time_optimum(path)?;
             let reachable_s = reachable_profile(path)?.duration_s;
+            let refined_s = time_optimum(finer)?.duration_s;
             return Ok(Self { optimum, inter_sample_tolerance: None, refining_samples: 0, reachable_s, refined_s });
         };
         let Refined { result: optimum, added, .. } = refine_optimum(path, tolerance)?;
         let reachable_s = refine_profile(path, tolerance)?.result.duration_s;
+        let refined_s = time_optimum(finer)?.duration_s;
         Ok(Self { optimum, inter_sample_tolerance: Some(tolerance), refining_samples: added, reachable_s, refined_s })
     }
 }
 
 impl MethodEntry {
-    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, optimum: &OptimumEntry) -> Self {
+    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, effort: Option<Effort>, optimum: &OptimumEntry) -> Self {
         let summary = MethodSummary::new(trace);
         let travel_s = summary.travel_s();
         let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
@@ -168,6 +195,8 @@ impl MethodEntry {
             ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
             reference_ratio: reference.map(|t| t / optimum.duration_s),
             limit_use,
+            relative_speed: travel_s.map(|t| optimum.duration_s / t),
+            effort,
             knows: summary.method.knows(),
             summary,
         }

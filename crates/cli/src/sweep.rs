@@ -1,6 +1,7 @@
 use crate::args::SweepArguments;
-use crate::commands::{Outcome, print, source};
 use crate::diagnostic::CliError;
+use crate::loaded::source;
+use crate::output::{Outcome, print};
 use crate::sweep_error::SweepFailure;
 use crate::sweep_journal::{Journal, Opened, write_csv};
 use crate::sweep_table;

@@ -1,4 +1,5 @@
-use crate::summary::{MethodEntry, OptimumEntry, Summary, excess_in_words};
+use crate::effort_table;
+use crate::summary::{MethodEntry, OptimumEntry, Summary};
 use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
 
 /// The comparison as a table with what it means, for a terminal.
@@ -23,8 +24,9 @@ pub(crate) fn render(summary: &Summary) -> String {
         column.set_cell_alignment(CellAlignment::Right);
     }
     format!(
-        "{}\n{table}\n{}\n{}{}\n{}\n",
+        "{}\n{table}\n{}{}\n{}{}\n{}\n",
         heading(summary),
+        effort_table::render(summary),
         limit_use(summary),
         optimum(summary),
         windows(summary),
@@ -110,8 +112,8 @@ fn limit_use(summary: &Summary) -> String {
 
 fn optimum(summary: &Summary) -> String {
     let mut text = optimum_line("optimum T*", &summary.optimum);
-    for excess in &summary.position_excesses {
-        text += &format!("note: {}; ranges of joints are reported, not enforced\n", excess_in_words(excess));
+    for note in summary.notes() {
+        text += &format!("note: {note}\n");
     }
     if let Some(speed_only) = &summary.optimum_speed_only {
         text += &optimum_line("under speed limits alone", speed_only);

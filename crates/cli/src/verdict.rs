@@ -5,7 +5,7 @@ use slideway_lab::{Method, PositionExcess, PositionSource, Trace};
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Verdict {
-    /// The method judged: the published form, and with acceleration limits the look-ahead, which keeps them as the optimum does.
+    /// The method judged.
     pub(crate) method: Method,
     /// From the start of motion to the robot's arrival, over the optimum.
     pub(crate) ratio: Option<f64>,
@@ -21,11 +21,14 @@ pub(crate) struct Verdict {
 const LIMIT_SLACK: f64 = 0.01;
 
 impl Verdict {
-    pub(crate) fn new(methods: &[MethodEntry], traces: &[Trace], optimum: &OptimumEntry, tolerance: f64) -> Self {
-        let find = |method| methods.iter().find(|m| m.summary.method == method);
-        let look_ahead = find(Method::AccelerationLookAhead);
-        let method = if look_ahead.is_some() { Method::AccelerationLookAhead } else { Method::SlidingMode };
-        let entry = find(method);
+    pub(crate) fn new(
+        method: Method,
+        methods: &[MethodEntry],
+        traces: &[Trace],
+        optimum: &OptimumEntry,
+        tolerance: f64,
+    ) -> Self {
+        let entry = methods.iter().find(|m| m.summary.method == method);
         let trace = traces.iter().find(|t| t.method == method);
         let ratio = entry.and_then(|e| e.ratio);
         let reason =
@@ -80,8 +83,14 @@ fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) 
 }
 
 /// The judged method in words.
-fn subject(method: Method) -> &'static str {
-    if method == Method::AccelerationLookAhead { "look-ahead" } else { "sliding mode" }
+fn subject(method: Method) -> String {
+    match method {
+        Method::AccelerationLookAhead => "look-ahead".into(),
+        Method::SlidingMode => "sliding mode".into(),
+        Method::SlidingModeSynchronised => "synchronised sliding mode".into(),
+        Method::SlidingModeImplicit => "implicit sliding mode".into(),
+        other => format!("method `{other}`"),
+    }
 }
 
 /// Two comparable times.

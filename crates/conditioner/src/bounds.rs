@@ -3,6 +3,12 @@
 //! Notation: `a = af Ts` is the filter step; `g = λ̇d / λ̇*` says how much faster than the limits the target rate is
 //! (`g > 1` means regulation is needed); `m = ‖F_N q̇d‖∞` is the largest use of a limit.
 
+mod feedback;
+mod time;
+
+pub use feedback::{FeedbackBand, FeedbackLoop, drifting_band_with_feedback};
+pub use time::{TimeBracket, time_bracket};
+
 use libm::{exp, log1p};
 
 /// Largest `m` on a frozen path (claim `frozen-band`): `1 + a (g - 1)` for `g >= 1`, at most 1 otherwise.
@@ -36,7 +42,10 @@ pub fn delayed_frozen_band(filter_step: f64, overspeed: f64, delay: u32) -> f64 
     1.0 + reach * (overspeed - 1.0).max(0.0)
 }
 
-/// Largest `m` on a frozen path with feedback: `1 + a g - min(a, Kp Ts)`, or `None` unless `af >= Kp`.
+/// Largest `m` on a frozen path with feedback (claim `feedback-band`): `1 + a g - Kp Ts`, or `None` unless `af >= Kp`.
+///
+/// Hypotheses: `g >= 1` constant, `m[0]` within the band, direction-preserving saturation, and a robot that trails: no joint's feedback
+/// opposes its feedforward at the start (none does on the path). Without the last one the band can be left. Either advance.
 #[must_use]
 pub fn frozen_band_with_feedback(filter_step: f64, overspeed: f64, gain_step: f64) -> Option<f64> {
     (filter_step >= gain_step && gain_step >= 0.0).then(|| 1.0 + filter_step * overspeed - filter_step.min(gain_step))

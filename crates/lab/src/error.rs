@@ -237,7 +237,9 @@ impl Fault {
 }
 
 impl LabError {
-    pub(crate) fn value(key: impl Into<String>, fault: impl Into<Fault>) -> Self {
+    /// A value at a key of the scenario that cannot be used.
+    #[must_use]
+    pub fn value(key: impl Into<String>, fault: impl Into<Fault>) -> Self {
         Self::Value { key: key.into(), fault: fault.into() }
     }
 

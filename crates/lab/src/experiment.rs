@@ -1,16 +1,21 @@
 use crate::acceleration::online_limits;
-use crate::error::LabError;
+use crate::course::{Course, ProfilePoint};
+use crate::error::{Fault, LabError};
 use crate::joint_path::JointPath;
 use crate::law::Method;
 use crate::limit_use::LimitUse;
+use crate::motion::{course_along, course_of};
+use crate::natural::NaturalLaws;
 use crate::position_limits::PositionExcess;
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
-use crate::robot::describe;
+use crate::reference::Reference;
+use crate::robot::{describe, robot_key};
 use crate::sampled::{SampledPath, sample};
 use crate::scenario::Scenario;
 use crate::simulate::simulate;
 use crate::trace::Trace;
-use slideway_robot::RobotDescription;
+use slideway_conditioner::SpeedLimits;
+use slideway_robot::{Dynamics, RobotDescription};
 
 /// A scenario made ready to run, for an arm of any supported number of joints.
 #[derive(Clone, Debug)]
@@ -36,12 +41,20 @@ enum Arm {
 struct Traced<const N: usize> {
     problem: Problem<N>,
     path: JointPath<N>,
+    /// Constant speed and natural motion, where the scenario asks for them.
+    natural: Option<NaturalLaws<N>>,
+    /// The rigid bodies, where the robot's masses are known.
+    dynamics: Option<Dynamics<N>>,
 }
 
 /// What an experiment does without knowing the number of joints.
 trait AnyJoints {
     fn control(&self) -> ControlSettings;
     fn limits_acceleration(&self) -> bool;
+    fn has_natural_laws(&self) -> bool;
+    fn scale_speed_limits(&mut self, by: f64) -> Result<(), LabError>;
+    fn course(&self, trace: &Trace) -> Course;
+    fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError>;
     fn path_length(&self) -> f64;
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError>;
     fn run_seeing(&self, options: LookAheadOptions, shortest_time: f64) -> Result<Trace, LabError>;
@@ -50,6 +63,7 @@ trait AnyJoints {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
     fn position_excesses(&self) -> Vec<PositionExcess>;
+    fn spare_joints(&self) -> usize;
 }
 
 impl Experiment {
@@ -87,11 +101,73 @@ impl Experiment {
         }
     }
 
+    fn any_mut(&mut self) -> &mut dyn AnyJoints {
+        match &mut self.arm {
+            Arm::One(traced) => traced.as_mut(),
+            Arm::Two(traced) => traced.as_mut(),
+            Arm::Three(traced) => traced.as_mut(),
+            Arm::Four(traced) => traced.as_mut(),
+            Arm::Five(traced) => traced.as_mut(),
+            Arm::Six(traced) => traced.as_mut(),
+            Arm::Seven(traced) => traced.as_mut(),
+        }
+    }
+
     /// The methods that can be run: those under acceleration limits only where the scenario gives them, neither they nor the
-    /// speed limits vary along the path, and the path begins and ends at rest.
+    /// speed limits vary along the path, and the path begins and ends at rest; constant speed and natural motion only where it
+    /// has a `[natural]` table.
     #[must_use]
-    pub fn methods(&self) -> &'static [Method] {
-        if self.any().limits_acceleration() { &Method::ALL } else { &Method::UNDER_SPEED_LIMITS }
+    pub fn methods(&self) -> Vec<Method> {
+        let (accelerations, natural) = (self.any().limits_acceleration(), self.any().has_natural_laws());
+        let runs = |m: &Method| (accelerations || !m.limits_acceleration()) && (natural || !m.surveys_the_path());
+        Method::ALL.into_iter().filter(runs).collect()
+    }
+
+    /// The same experiment with every joint-speed limit and the target rate multiplied by a number: what the regulator sees of the path
+    /// stays in proportion.
+    ///
+    /// # Errors
+    ///
+    /// Limits that vary along the path; a factor that leaves no usable limits.
+    pub fn with_speed_limits_scaled(&self, by: f64) -> Result<Self, LabError> {
+        let mut other = self.clone();
+        other.any_mut().scale_speed_limits(by)?;
+        other.shortest_time = other.any().sample(200, 3)?.speed_limited_time();
+        Ok(other)
+    }
+
+    /// What the joints do in a run, from the first motion of its reference to the reference's end.
+    #[must_use]
+    pub fn course(&self, trace: &Trace) -> Course {
+        self.any().course(trace)
+    }
+
+    /// What the joints do along an optimum's profile.
+    ///
+    /// # Errors
+    ///
+    /// The inverse kinematics fails at a place it passed while tracing.
+    pub fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError> {
+        self.any().course_along(profile)
+    }
+
+    /// The method that the verdict is about: the scenario's choice, else the look-ahead where it can be run, which keeps
+    /// acceleration limits as the optimum does, else the published sliding mode.
+    ///
+    /// # Errors
+    ///
+    /// A choice that cannot be run here.
+    pub fn judged_method(&self, scenario: &Scenario) -> Result<Method, LabError> {
+        let look_ahead = self.methods().contains(&Method::AccelerationLookAhead);
+        let default = if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let method = scenario.judged_method().unwrap_or(default);
+        if self.methods().contains(&method) {
+            return Ok(method);
+        }
+        let fault = Fault::Conflict(
+            "this method needs acceleration limits, the same along the whole path, and rest at both ends",
+        );
+        Err(LabError::value("compare.method", fault))
     }
 
     /// Runs one method.
@@ -151,6 +227,13 @@ impl Experiment {
         self.any().limit_use(trace)
     }
 
+    /// Joints beyond the coordinates that a path of the tool prescribes. Where there are any, the methods and the joint path of the
+    /// optimum take, of all joint motions, the smallest (pseudo-inverse): nothing else is asked of the spare ones.
+    #[must_use]
+    pub fn spare_joints(&self) -> usize {
+        self.any().spare_joints()
+    }
+
     /// The joints that leave their ranges along the path.
     #[must_use]
     pub fn position_excesses(&self) -> Vec<PositionExcess> {
@@ -162,7 +245,10 @@ impl<const N: usize> Traced<N> {
     fn new(scenario: &Scenario, robot: &RobotDescription) -> Result<Self, LabError> {
         let problem = Problem::new(scenario, robot)?;
         let path = JointPath::trace(&problem)?;
-        Ok(Self { problem, path })
+        let natural = NaturalLaws::new(scenario, &problem)?;
+        let key = robot_key(&scenario.file.robot);
+        let dynamics = robot.has_masses().then(|| robot.dynamics()).transpose();
+        Ok(Self { problem, path, natural, dynamics: dynamics.map_err(|error| LabError::value(key, error))? })
     }
 }
 
@@ -175,7 +261,34 @@ impl<const N: usize> AnyJoints for Traced<N> {
         online_limits(&self.problem).is_some()
     }
 
+    fn has_natural_laws(&self) -> bool {
+        self.natural.is_some()
+    }
+
+    fn scale_speed_limits(&mut self, by: f64) -> Result<(), LabError> {
+        if self.problem.speed_along.is_some() {
+            let fault = Fault::Conflict("limits that vary along the path are not scaled");
+            return Err(LabError::value("limits.speed", fault));
+        }
+        let (lower, upper) = (self.problem.speed_limits.lower(), self.problem.speed_limits.upper());
+        let scaled = SpeedLimits::new(lower.map(|l| by * l), upper.map(|u| by * u));
+        self.problem.speed_limits = scaled.map_err(|error| LabError::value("limits.speed", error))?;
+        self.problem.control.target_rate *= by;
+        Ok(())
+    }
+
+    fn course(&self, trace: &Trace) -> Course {
+        course_of(&self.problem, self.dynamics.as_ref(), trace)
+    }
+
+    fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError> {
+        course_along(&self.problem, self.dynamics.as_ref(), &self.path, profile)
+    }
+
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError> {
+        if let Some(laws) = self.natural.as_ref().filter(|_| method.surveys_the_path()) {
+            return laws.run(&self.problem, method);
+        }
         let length = self.problem.path.end() - self.problem.path.start();
         let rate = self.problem.fixed_speed.rate.unwrap_or(length / shortest_time);
         let horizon = self.problem.control.max_duration.unwrap_or(10.0 * shortest_time.max(length / rate) + 30.0);
@@ -215,5 +328,12 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn position_excesses(&self) -> Vec<PositionExcess> {
         self.problem.position_limits.excesses(&self.path)
+    }
+
+    fn spare_joints(&self) -> usize {
+        match &self.problem.path {
+            Reference::Tool(tool) => N.saturating_sub(tool.task.rows().len()),
+            Reference::Joint(_) => 0,
+        }
     }
 }

@@ -20,6 +20,11 @@ pub enum Method {
     Saturated,
     /// Fixed speed, direction-preserving saturation (case 3).
     DirectionPreserving,
+    /// Constant path speed, the largest that keeps the speed limits; the arm exactly on the path (`[N]`).
+    ConstantSpeed,
+    /// Natural motion: path speed in proportion to the determinant of the Jacobian, as fast as the speed limits allow; the arm
+    /// exactly on the path (`[N]`).
+    NaturalMotion,
     /// Sliding-mode regulation as published (case 4).
     SlidingMode,
     /// Sliding-mode regulation, the reference waiting for the robot.
@@ -34,10 +39,12 @@ pub enum Method {
 
 impl Method {
     /// All methods, in the order of the tables.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Ideal,
         Self::Saturated,
         Self::DirectionPreserving,
+        Self::ConstantSpeed,
+        Self::NaturalMotion,
         Self::SlidingMode,
         Self::SlidingModeSynchronised,
         Self::SlidingModeImplicit,
@@ -45,7 +52,7 @@ impl Method {
         Self::AccelerationLookAhead,
     ];
 
-    /// The methods that need no acceleration limits.
+    /// The methods that need neither acceleration limits nor a `[natural]` table.
     pub const UNDER_SPEED_LIMITS: [Self; 6] = [
         Self::Ideal,
         Self::Saturated,
@@ -62,6 +69,8 @@ impl Method {
             Self::Ideal => "ideal",
             Self::Saturated => "saturated",
             Self::DirectionPreserving => "direction-preserving",
+            Self::ConstantSpeed => "constant-speed",
+            Self::NaturalMotion => "natural-motion",
             Self::SlidingMode => "sliding-mode",
             Self::SlidingModeSynchronised => "sliding-mode-synchronised",
             Self::SlidingModeImplicit => "sliding-mode-implicit",
@@ -73,7 +82,13 @@ impl Method {
     /// Whether the speed is regulated, rather than fixed in advance.
     #[must_use]
     pub fn is_regulated(self) -> bool {
-        !matches!(self, Self::Ideal | Self::Saturated | Self::DirectionPreserving)
+        !self.surveys_the_path() && !matches!(self, Self::Ideal | Self::Saturated | Self::DirectionPreserving)
+    }
+
+    /// Whether the method is one of `[N]`: its speed chosen from a survey of the whole path, the arm exactly on it.
+    #[must_use]
+    pub fn surveys_the_path(self) -> bool {
+        matches!(self, Self::ConstantSpeed | Self::NaturalMotion)
     }
 
     /// Whether the method keeps limits on joint acceleration, and needs them.
@@ -94,6 +109,7 @@ impl Method {
         match self {
             Self::Ideal => "nothing, and has no limits",
             Self::Saturated | Self::DirectionPreserving => "a speed chosen by hand",
+            Self::ConstantSpeed | Self::NaturalMotion => "the speed limits and the whole path",
             Self::SlidingMode | Self::SlidingModeSynchronised | Self::SlidingModeImplicit => "the speed limits only",
             Self::AccelerationLimited => "the speed and acceleration limits only",
             Self::AccelerationLookAhead => "the limits and a window of the path ahead",
@@ -161,6 +177,9 @@ impl<const N: usize> Law<N> {
             Method::Saturated => Ok(Self::Fixed { rate: fixed_rate, saturation: Some(Saturation::Direct) }),
             Method::DirectionPreserving => {
                 Ok(Self::Fixed { rate: fixed_rate, saturation: Some(Saturation::DirectionPreserving) })
+            }
+            Method::ConstantSpeed | Method::NaturalMotion => {
+                Err(LabError::value("natural", Fault::Missing("the method needs a `[natural]` table in the scenario")))
             }
             Method::SlidingMode => explicit(Advance::Paper),
             Method::SlidingModeSynchronised => explicit(Advance::Synchronised),

@@ -13,6 +13,7 @@
 mod acceleration;
 pub mod conditioning;
 mod controller;
+mod course;
 pub mod curve;
 mod dynamic_limits;
 mod error;
@@ -27,6 +28,7 @@ mod limit_reader;
 mod limit_use;
 mod limits;
 mod metrics;
+mod motion;
 pub mod natural;
 mod orientation;
 mod path;
@@ -36,6 +38,7 @@ mod poses;
 mod position;
 mod position_limits;
 mod problem;
+mod published;
 mod reference;
 mod robot;
 mod sampled;
@@ -47,6 +50,7 @@ mod tracing;
 mod waypoint_reader;
 
 pub use controller::Demand;
+pub use course::{Course, CourseSample, Effort, ProfilePoint};
 pub use dynamic_limits::{ToolLimits, TorqueLimits};
 pub use error::{Fault, LabError};
 pub use experiment::Experiment;
@@ -61,8 +65,11 @@ pub use metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSumma
 pub use path::{CartesianPath, EulerPoint, PathPoint};
 pub use position_limits::{PositionExcess, PositionLimits, PositionSource};
 pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Problem};
+pub use published::{Agreement, Published};
 pub use reference::{Reference, ToolReference};
 pub use robot::{MAX_JOINTS, robot_in};
 pub use sampled::{PathSample, SampledPath, SampledPiece};
-pub use scenario::{BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind};
+pub use scenario::{
+    BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Expectation, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind,
+};
 pub use trace::{Chatter, Sample, Trace};

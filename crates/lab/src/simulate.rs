@@ -8,7 +8,7 @@ use slideway_conditioner::{Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
-const MAX_SAMPLES: usize = 5_000_000;
+pub(crate) const MAX_SAMPLES: usize = 5_000_000;
 
 /// Runs one method. `fixed_rate` is the rate of the fixed-speed methods, `horizon` the time after which to give up, s.
 pub(crate) fn simulate<const N: usize>(
@@ -253,7 +253,8 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 }
 
-fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {
+/// Joint values in an array of every number of joints.
+pub(crate) fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {
     let mut padded = [0.0; MAX_JOINTS];
     for (slot, value) in padded.iter_mut().zip(values.iter()) {
         *slot = *value;

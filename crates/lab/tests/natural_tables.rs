@@ -1,9 +1,9 @@
 //! Tables I and II of `[N]`, beside the values an independent simulation gave.
 
-use slideway_lab::LabError;
 use slideway_lab::natural::{
-    NaturalMetrics, Ramp, Row, Run, SpeedLaw, TABLE_1_INTERVAL, limb_case, limb_problem, pa10_problem, table_1, table_2,
+    NaturalMetrics, Ramp, Run, SpeedLaw, TABLE_1_INTERVAL, limb_case, limb_problem, pa10_problem, table_1, table_2,
 };
+use slideway_lab::{Agreement, LabError, Published};
 use std::f64::consts::PI;
 
 /// Values with four digits, the last of which may be off by one: up to a thousandth. What is asked for is 0.3 %.
@@ -36,7 +36,7 @@ fn table_1_constant_speed_is_that_of_the_independent_simulation() -> Result<(), 
     assert_case(SpeedLaw::Constant { path_speed: 2.0798 }, 24.750, 7.730, 37.77)
 }
 
-fn row<'a>(rows: &'a [Row], case: &str, quantity: &str) -> &'a Row {
+fn row<'a>(rows: &'a [Published], case: &str, quantity: &str) -> &'a Published {
     rows.iter().find(|r| r.case == case && r.quantity == quantity).expect("a row of the table")
 }
 
@@ -145,5 +145,15 @@ fn ramp_starts_and_ends_at_rest_and_costs_its_length() -> Result<(), LabError> {
     let distance = trace.metrics().distance;
     // p integrates to one half: two ramps of 2 s are as far as 2 s at full speed. Trapezoids of 5 ms: 1e-6.
     assert!((distance - 0.7 * 0.5 * 8.0).abs() <= 1e-6, "{distance}");
+    Ok(())
+}
+
+#[test]
+fn every_row_that_agreed_with_the_paper_still_does() -> Result<(), LabError> {
+    for row in table_1()?.into_iter().chain(table_2()?) {
+        assert!(!row.is_lost(), "{row:?}");
+        assert!(row.agreement() == row.expected, "says something else than it is: {row:?}");
+        assert!(row.expected == Agreement::Agrees || !row.remark.is_empty(), "no reason: {row:?}");
+    }
     Ok(())
 }

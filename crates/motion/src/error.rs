@@ -2,7 +2,7 @@ use crate::supervisor::Mode;
 use crate::tool::ToolFault;
 use crate::{Interpolation, LimitKind};
 use slideway_conditioner::ParameterError;
-use slideway_robot::RobotError;
+use slideway_robot::{DynamicsError, RobotError};
 use thiserror::Error;
 
 /// What is continuous.
@@ -222,6 +222,42 @@ pub enum MotionError {
     /// An arm that does not fit its task.
     #[error(transparent)]
     Kinematics(#[from] RobotError),
+    /// A model of an arm that is none, or that cannot tell accelerations.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// A simulated sample that no step is fine enough for.
+    #[error(
+        "at {time:.6} s the simulation is not resolved with {steps} steps: halving them changes it by {change:.3e}"
+    )]
+    NotResolved {
+        /// Simulated time at the beginning of the sample, s.
+        time: f64,
+        /// Steps tried last.
+        steps: u32,
+        /// Change of position or speed when they were halved, rad (m) or per s.
+        change: f64,
+    },
+    /// An experiment that found no answer in the range it was given.
+    #[error("the gain stays above half the power up to {highest:.3} rad/s")]
+    NoBandwidth {
+        /// Highest frequency tried, rad/s.
+        highest: f64,
+    },
+}
+
+/// Refuses a setting unless `accepted`; a comparison with NaN is false, so NaN is refused.
+pub(crate) fn setting(name: &'static str, value: f64, accepted: bool) -> Result<(), MotionError> {
+    if accepted { Ok(()) } else { Err(MotionError::Setting { name, value }) }
+}
+
+/// Refuses a setting that is not positive and finite.
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), MotionError> {
+    setting(name, value, value > 0.0 && value.is_finite())
+}
+
+/// Refuses a setting that is negative or not finite.
+pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), MotionError> {
+    setting(name, value, value >= 0.0 && value.is_finite())
 }
 
 impl MotionError {
@@ -252,6 +288,11 @@ impl MotionError {
             Self::Regulation(_) => "give a positive period, a bandwidth below its inverse and a margin below 1",
             Self::NoTool => "make the queue with the kinematics of its tool",
             Self::Kinematics(_) => "use a task that the arm has joints for",
+            Self::Dynamics(_) => "give every moving link a mass and an inertia",
+            Self::NotResolved { .. } => {
+                "shorten the sampling period, soften the wall, or look for a control that diverges"
+            }
+            Self::NoBandwidth { .. } => "raise the highest frequency",
         }
     }
 }

@@ -1,11 +1,14 @@
-//! Motion generation for arms: profiles, a motion queue, interruption, supervision, feedback.
+//! Motion control of arms: profiles, a motion queue, interruption, supervision, feedback, and an arm to try them on.
 //!
 //! | layer | what it does |
 //! |---|---|
 //! | [`profile`], [`Interpolation`], [`WayPointRule`] | motions of one axis, of all joints at once, through way-points |
 //! | [`MotionQueue`], [`tool`] | a bounded queue of joint and Cartesian segments, its interruptions, the pace of the path |
 //! | [`supervisor`], [`ArmController`] | modes, faults, recovery |
-//! | [`control`] | from set-points to torques |
+//! | [`control`] | from set-points to torques, in joint space and in the space of the tool; forces |
+//! | [`motor`] | between command and arm: current and speed loops, encoder, delay, heat |
+//! | [`plant`] | the arm in simulation: rigid bodies, friction, a compliant wall, noisy sensors |
+//! | [`characterise`] | bandwidth and tracking error of a controller by experiment |
 //!
 //! Units are SI (rad or m, s); poses are in the base frame. Nothing is allocated once a queue has been made, except by
 //! [`path_through`], which plans outside the control loop, and by the error of a Cartesian segment.
@@ -44,13 +47,16 @@
 //!
 //! `[R16]` is chapter 16, "Control of Articulated Robots", of Hauser, "Robotic Systems".
 
+pub mod characterise;
 pub mod control;
 mod controller;
 mod error;
 mod interpolation;
 mod joint_motion;
 mod limits;
+pub mod motor;
 mod planner;
+pub mod plant;
 pub mod profile;
 pub mod queue;
 mod range;

@@ -2,10 +2,12 @@
 
 use allocation_counter::measure;
 use nalgebra::Vector3;
+use slideway_motion::control::task_space::{OperationalSettings, OperationalSpace};
+use slideway_motion::plant::{Actuation, Plant, PlantSettings, PlantState};
 use slideway_motion::profile::Ramp;
 use slideway_motion::tool::{Regulation, SpeedLaw, ToolCurve, ToolKinematics, ToolLimits, ToolPolyline};
 use slideway_motion::{AxisLimits, Interpolation, MotionLimits, MotionQueue, Repeat};
-use slideway_robot::{JointVector, Task, models};
+use slideway_robot::{JointVector, Task, Twist, models};
 
 fn home() -> JointVector<6> {
     JointVector::from([0.0, 0.8, -2.6, 3.1, 1.1, 2.8])
@@ -75,6 +77,23 @@ fn speed_laws_that_decide_sample_by_sample_allocate_nothing() {
             play(&mut queue, 2000);
             queue.go_to(&home(), Interpolation::Trapezoid).expect("free");
             play(&mut queue, 2000);
+        }
+    });
+    assert_eq!(counted.count_total, 0, "{counted:?}");
+}
+
+#[test]
+fn a_controlled_arm_in_simulation_allocates_nothing() {
+    let dynamics = models::puma560_dynamics().expect("the built-in arm");
+    let settings = OperationalSettings { length: 0.3, largest_inertia: 100.0, posture_damping: 0.0 };
+    let largest = JointVector::from_element(200.0);
+    let space = OperationalSpace::new(dynamics.clone(), Task::Pose, settings, largest).expect("sound settings");
+    let plant = Plant::new(dynamics, PlantSettings::default()).expect("sound settings");
+    let mut state = PlantState::at_rest(home());
+    let counted = measure(|| {
+        for _ in 0..100 {
+            let torque = space.step(&state.q, &state.qd, &Twist::from_element(0.1), &Twist::zeros()).torque;
+            plant.advance(&mut state, 1e-3, &mut |_| Actuation::torque(torque)).expect("resolved");
         }
     });
     assert_eq!(counted.count_total, 0, "{counted:?}");

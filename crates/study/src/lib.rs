@@ -11,8 +11,14 @@
 //! # Ok::<(), slideway_study::StudyError>(())
 //! ```
 
+mod bench;
+mod cartesian_2r;
 mod error;
+mod high_gain_pid;
+mod impedance_wall;
 mod interrupts;
+mod opspace_vs_queue;
+mod profiles_vs_gravity;
 mod report;
 mod study;
 mod welding_cell;

@@ -1,6 +1,9 @@
 use std::collections::HashSet;
 use std::path::Path;
 
+use slideway_proofs::ledger::{broken, catches, refuted, row_head};
+use slideway_proofs::refuted::REFUTED;
+use slideway_proofs::subject::Fault;
 use slideway_proofs::z3::{self, Z3Error};
 use slideway_proofs::{CLAIMS, Script};
 
@@ -41,4 +44,33 @@ fn a_missing_solver_is_an_error_that_names_the_remedy() {
 #[test]
 fn a_script_the_solver_refuses_is_an_error() {
     assert!(matches!(z3::run("(assert missing)\n(check-sat)\n"), Err(Z3Error::Script { .. })));
+}
+
+/// The columns that a run measures are checked where there is time for it, in `.ci/run`.
+#[test]
+fn the_ledger_in_the_repository_is_current() -> Result<(), std::io::Error> {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CLAIMS.md"))?;
+    let remedy = "write it again: slideway claims --level smoke --markdown > proofs/CLAIMS.md";
+    for claim in CLAIMS {
+        assert!(text.contains(&row_head(claim)), "{}: {remedy}", claim.name);
+    }
+    assert_eq!(text.lines().filter(|line| line.starts_with("| `")).count(), CLAIMS.len(), "{remedy}");
+    assert!(text.contains(&refuted()) && text.contains(&broken()), "{remedy}");
+    Ok(())
+}
+
+#[test]
+fn every_broken_regulator_is_caught() {
+    for fault in Fault::ALL {
+        assert!(!catches(fault).is_empty(), "{}", fault.description());
+    }
+}
+
+#[test]
+fn every_refuted_statement_is_contradicted_by_the_shipped_code() {
+    for refutation in REFUTED {
+        // Far above the rounding of the two or four samples in each.
+        assert!((refutation.excess)().is_ok_and(|excess| excess > 0.01), "{}", refutation.statement);
+        assert!(CLAIMS.iter().any(|claim| claim.name == refutation.claim), "{}", refutation.claim);
+    }
 }

@@ -3,10 +3,13 @@
 use std::error::Error;
 
 use proptest::prelude::{BoxedStrategy, Just, ProptestConfig, Strategy, prop_oneof};
+use proptest::test_runner::{TestCaseError, TestRunner};
 use slideway_conditioner::{
     Advance, FirstOrderFilter, ParameterError, Saturation, SpeedLimits, SpeedRegulator, SpeedSettings,
 };
 use slideway_proofs::Claim;
+use slideway_proofs::engine::{Choices, Cost};
+use slideway_proofs::subject::Subject;
 use slideway_proofs::z3::{self, Answer, Model};
 
 pub(crate) type Outcome = Result<(), Box<dyn Error>>;
@@ -40,6 +43,25 @@ pub(crate) fn proven(claim: &Claim) -> Outcome {
         }
     }
     if claim.negations.is_empty() { Err("a claim without a script is not proven".into()) } else { Ok(()) }
+}
+
+/// Puts the shipped code to every engine of the claim, over choices that proptest makes and makes simpler.
+pub(crate) fn holds(claim: &Claim) -> Outcome {
+    for engine in claim.engines {
+        let cases = match engine.cost {
+            Cost::Sample => 10_000,
+            Cost::Run => 2_000,
+        };
+        let mut runner = TestRunner::new(ProptestConfig { cases, ..config() });
+        let kept = runner.run(&proptest::collection::vec(0.0..1.0, 0..200), |choices| {
+            match engine.violation(&mut Choices::replay(&choices), Subject::Shipped) {
+                None => Ok(()),
+                Some(what) => Err(TestCaseError::fail(what)),
+            }
+        });
+        kept.map_err(|error| format!("{}: {error}", engine.name))?;
+    }
+    if claim.engines.is_empty() { Err("a claim without an engine is not tested".into()) } else { Ok(()) }
 }
 
 /// The solver's counterexample to the claim with one hypothesis dropped.
@@ -76,14 +98,6 @@ pub(crate) fn filter_step() -> BoxedStrategy<f64> {
     prop_oneof![1 => Just(1.0), 4 => 1e-3..1.0, 4 => (-6.0..0.0).prop_map(|exponent: f64| 10f64.powf(exponent))].boxed()
 }
 
-pub(crate) fn saturation() -> impl Strategy<Value = Saturation> {
-    prop_oneof![Just(Saturation::Direct), Just(Saturation::DirectionPreserving)]
-}
-
-pub(crate) fn advance() -> impl Strategy<Value = Advance> {
-    prop_oneof![Just(Advance::Paper), Just(Advance::Synchronised)]
-}
-
 fn array<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|joint| values.get(joint).copied().unwrap_or(f64::NAN))
 }
@@ -99,37 +113,6 @@ pub(crate) fn limits<const N: usize>(exponents: std::ops::Range<f64>) -> BoxedSt
     (joints(size()), joints(size()))
         .prop_filter_map("limits are positive and finite", |(lower, upper): ([f64; N], [f64; N])| {
             SpeedLimits::new(lower.map(|l| -l), upper).ok()
-        })
-        .boxed()
-}
-
-/// Joints that all turn in proportion to one number: at 1 one joint reaches its limit and none exceeds its own.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Proportional<const N: usize> {
-    pub(crate) limits: SpeedLimits<N>,
-    at_one: [f64; N],
-}
-
-impl<const N: usize> Proportional<N> {
-    /// Desired joint speed for `‖F_N q̇d‖∞ = use_of_limit`. Two roundings from `at_one`, which has one, to the ratio.
-    pub(crate) fn at(&self, use_of_limit: f64) -> [f64; N] {
-        self.at_one.map(|speed| speed * use_of_limit)
-    }
-}
-
-pub(crate) fn proportional<const N: usize>() -> BoxedStrategy<Proportional<N>> {
-    (limits::<N>(-3.0..3.0), joints::<N>(-1.0..=1.0), 0..N, prop_oneof![Just(1.0), Just(-1.0)])
-        .prop_map(|(limits, mut shares, first, sign)| {
-            if let Some(share) = shares.get_mut(first) {
-                *share = sign;
-            }
-            let limit = |joint: usize, share: f64| {
-                let side = if share < 0.0 { limits.lower().map(f64::abs) } else { *limits.upper() };
-                side.get(joint).map_or(f64::NAN, |limit| share * limit)
-            };
-            let mut joint = 0..N;
-            let at_one = shares.map(|share| joint.next().map_or(f64::NAN, |joint| limit(joint, share)));
-            Proportional { limits, at_one }
         })
         .boxed()
 }

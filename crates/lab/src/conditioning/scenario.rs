@@ -1,5 +1,6 @@
 use super::problem::ConditioningProblem;
 use super::schema::ConditioningFile;
+use crate::Expectation;
 use crate::error::LabError;
 use std::path::{Path, PathBuf};
 
@@ -56,6 +57,12 @@ impl ConditioningScenario {
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// The verdict that it is expected to get.
+    #[must_use]
+    pub fn expectation(&self) -> Expectation {
+        self.file.compare.expect
     }
 
     /// By how much the mean deviation may exceed the projection's for the verdict, as a fraction.

@@ -17,16 +17,20 @@ impl<const N: usize> NaturalProblem<N, CartesianPath> {
     pub fn from_scenario(scenario: &Scenario, factor: SpeedFactor) -> Result<Self, LabError> {
         let robot = describe(scenario)?;
         let key = robot_key(&scenario.file.robot);
-        let problem = Problem::<N>::new(scenario, &robot)?;
-        let Reference::Tool(tool) = problem.path else {
-            return Err(LabError::value("path.joints", Fault::Conflict("natural motion is about a path of the tool")));
-        };
-        let start = PathPlace { q: problem.path_start, parameter: tool.path.start() };
-        let natural = Self::new(problem.arm, tool.task, factor, tool.path, start)
-            .map_err(|error| LabError::value("robot.task", error))?;
+        let natural = Self::of(&Problem::<N>::new(scenario, &robot)?, factor)?;
         if !robot.has_masses() {
             return Ok(natural);
         }
         Ok(natural.with_dynamics(robot.dynamics().map_err(|error| LabError::value(key, error))?))
+    }
+
+    /// The arm and the tool path of a problem, without masses.
+    pub(crate) fn of(problem: &Problem<N>, factor: SpeedFactor) -> Result<Self, LabError> {
+        let Reference::Tool(tool) = &problem.path else {
+            return Err(LabError::value("path.joints", Fault::Conflict("natural motion is about a path of the tool")));
+        };
+        let start = PathPlace { q: problem.path_start, parameter: tool.path.start() };
+        Self::new(problem.arm.clone(), tool.task, factor, tool.path.clone(), start)
+            .map_err(|error| LabError::value("robot.task", error))
     }
 }

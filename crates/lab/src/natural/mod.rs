@@ -9,6 +9,7 @@
 //!
 //! [`NaturalProblem::from_scenario`] takes robot and path from a scenario. [`table_1`] and [`table_2`] repeat the paper's tables.
 
+mod comparison;
 mod control;
 mod follow;
 mod from_scenario;
@@ -17,18 +18,17 @@ mod law;
 mod metrics;
 mod path;
 mod problem;
-mod row;
 mod survey;
 mod table_1;
 mod table_2;
 
+pub(crate) use comparison::NaturalLaws;
 pub use control::{ControlRun, Controller, TrackingError};
 pub use follow::{NaturalSample, NaturalTrace, Run};
 pub use law::{Ramp, RampValue, SpeedLaw};
 pub use metrics::NaturalMetrics;
 pub use path::{Circle, ParametrisedPath, PathState};
 pub use problem::{NaturalProblem, PathPlace};
-pub use row::Row;
 pub use survey::{Survey, SurveyPoint};
 pub use table_1::{TABLE_1_INTERVAL, limb_case, limb_problem, table_1};
 pub use table_2::{pa10_problem, table_2};

@@ -3,8 +3,8 @@ use super::law::{Ramp, SpeedLaw};
 use super::metrics::NaturalMetrics;
 use super::path::Circle;
 use super::problem::{NaturalProblem, PathPlace};
-use super::row::Row;
 use crate::error::LabError;
+use crate::published::{Agreement, Printed, Published};
 use nalgebra::{Rotation3, Vector3};
 use slideway_robot::augmented::SpeedFactor;
 use slideway_robot::models::Model;
@@ -54,13 +54,17 @@ pub fn limb_case(law: SpeedLaw) -> Result<NaturalMetrics, LabError> {
 struct Column {
     case: &'static str,
     law: SpeedLaw,
-    printed: [f64; 4],
+    printed: [&'static str; 4],
+    /// Whether each agrees.
+    expected: [Agreement; 4],
     remark: &'static str,
 }
 
 const PRINTED: &str =
     "the printed path speed does not give the printed distance, 8.85 m in 17 s, nor the printed peaks";
 const FITTED: &str = "path speed fitted to the printed peaks; the printed distance belongs to 0.744 rad/s";
+const FROM_PEAKS: &str =
+    "b follows from the printed peaks, 2.26 rad/s to 0.22 %, so the distance is known to 0.22 % as well";
 const POWER: &str = "mean of Σ|τ q̇|; the paper does not define its total power";
 
 const fn natural(b: f64) -> SpeedLaw {
@@ -71,30 +75,83 @@ const fn constant(path_speed: f64) -> SpeedLaw {
     SpeedLaw::Constant { path_speed }
 }
 
+use Agreement::{Agrees, Differs};
+
 /// `b` of NM-1 is printed; those of NM-2 and NM-3 follow from the printed peaks, the speed of CS-2 from the distance.
 const COLUMNS: [Column; 6] = [
-    Column { case: "CS-1, 0.85 rad/s", law: constant(0.85), printed: [8.85, 2.9, 5.31, 626.7], remark: PRINTED },
-    Column { case: "CS-1, 0.78 rad/s", law: constant(0.78), printed: [8.85, 2.9, 5.31, 626.7], remark: FITTED },
-    Column { case: "NM-1", law: natural(1.2), printed: [8.85, 0.84, 0.73, 149.15], remark: "" },
-    Column { case: "NM-2", law: natural(4.14), printed: [30.43, 2.9, 8.74, 5751.0], remark: "" },
-    Column { case: "NM-3", law: natural(3.2264), printed: [24.75, 2.26, 5.31, 2747.4], remark: "" },
-    Column { case: "CS-2", law: constant(2.0798), printed: [24.75, 7.73, 37.8, 11167.3], remark: "" },
+    Column {
+        case: "CS-1, 0.85 rad/s",
+        law: constant(0.85),
+        printed: ["8.85", "2.9", "5.31", "626.7"],
+        expected: [Differs; 4],
+        remark: PRINTED,
+    },
+    Column {
+        case: "CS-1, 0.78 rad/s",
+        law: constant(0.78),
+        printed: ["8.85", "2.9", "5.31", "626.7"],
+        expected: [Differs, Agrees, Agrees, Differs],
+        remark: FITTED,
+    },
+    Column {
+        case: "NM-1",
+        law: natural(1.2),
+        printed: ["8.85", "0.84", "0.73", "149.15"],
+        expected: [Agrees, Agrees, Agrees, Differs],
+        remark: "",
+    },
+    Column {
+        case: "NM-2",
+        law: natural(4.14),
+        printed: ["30.43", "2.9", "8.74", "5751.0"],
+        expected: [Agrees, Agrees, Agrees, Differs],
+        remark: "",
+    },
+    Column {
+        case: "NM-3",
+        law: natural(3.2264),
+        printed: ["24.75", "2.26", "5.31", "2747.4"],
+        expected: [Agrees, Agrees, Agrees, Differs],
+        remark: FROM_PEAKS,
+    },
+    Column {
+        case: "CS-2",
+        law: constant(2.0798),
+        printed: ["24.75", "7.73", "37.8", "11167.3"],
+        expected: [Agrees, Agrees, Agrees, Differs],
+        remark: "",
+    },
 ];
 
-/// `[N] Table I` row by row.
+/// `[N] Table I` row by row. Agreement is to one unit of the last printed digit.
 ///
 /// # Errors
 ///
 /// None with the numbers built in.
-pub fn table_1() -> Result<Vec<Row>, LabError> {
+pub fn table_1() -> Result<Vec<Published>, LabError> {
     let mut rows = Vec::new();
-    for Column { case, law, printed: [distance, speed, torque, power], remark } in COLUMNS {
-        let metrics = limb_case(law)?;
-        let row = |quantity, unit, paper, ours, remark| Row { case, quantity, unit, paper, ours, remark };
-        rows.push(row("distance", "m", distance, Some(metrics.distance), remark));
-        rows.push(row("peak joint speed", "rad/s", speed, Some(metrics.peak_joint_speed), remark));
-        rows.push(row("peak torque", "N·m", torque, metrics.peak_torque, remark));
-        rows.push(row("power", "W", power, metrics.mean_power, POWER));
+    for Column { case, law, printed, expected, remark } in COLUMNS {
+        let NaturalMetrics { distance, peak_joint_speed, peak_torque, mean_power } = limb_case(law)?;
+        let ours = [Some(distance), Some(peak_joint_speed), peak_torque, mean_power];
+        for (i, (quantity, unit)) in QUANTITIES.into_iter().enumerate() {
+            let Printed { value, last_digit } = Printed::new(printed[i]);
+            let inferred = if remark == FROM_PEAKS && i == 0 { 0.0022 * value } else { 0.0 };
+            rows.push(Published {
+                source: "[N] Table I",
+                case: case.to_owned(),
+                quantity,
+                unit,
+                paper: value,
+                ours: ours[i],
+                tolerance: last_digit + inferred,
+                expected: expected[i],
+                remark: if i == 3 { POWER } else { remark },
+            });
+        }
     }
     Ok(rows)
 }
+
+/// What both tables list.
+pub(super) const QUANTITIES: [(&str, &str); 4] =
+    [("distance", "m"), ("peak joint speed", "rad/s"), ("peak torque", "N·m"), ("power", "W")];

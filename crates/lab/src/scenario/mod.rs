@@ -5,6 +5,8 @@ pub(crate) mod number;
 pub(crate) mod schema;
 
 use crate::error::{Fault, LabError};
+use crate::law::Method;
+pub use schema::Expectation;
 use schema::ScenarioFile;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -46,12 +48,17 @@ pub fn scenario_kind(text: &str) -> ScenarioKind {
 }
 
 /// The built-in scenarios, tutorial first.
-pub const BUILT_IN: [BuiltIn; 11] = [
+pub const BUILT_IN: [BuiltIn; 16] = [
+    BuiltIn { name: "planar-line", text: include_str!("../../scenarios/planar-line.toml") },
     BuiltIn { name: "puma-helix", text: include_str!("../../scenarios/puma-helix.toml") },
     BuiltIn { name: "puma-helix-on-path", text: include_str!("../../scenarios/puma-helix-on-path.toml") },
     BuiltIn { name: "puma-wrist-singularity", text: include_str!("../../scenarios/puma-wrist-singularity.toml") },
     BuiltIn { name: "puma-helix-acceleration", text: include_str!("../../scenarios/puma-helix-acceleration.toml") },
     BuiltIn { name: "planar-bend", text: include_str!("../../scenarios/planar-bend.toml") },
+    BuiltIn { name: "tiny-motion", text: include_str!("../../scenarios/tiny-motion.toml") },
+    BuiltIn { name: "ur5e-poses", text: include_str!("../../scenarios/ur5e-poses.toml") },
+    BuiltIn { name: "panda-line", text: include_str!("../../scenarios/panda-line.toml") },
+    BuiltIn { name: "ur20-lift", text: include_str!("../../scenarios/ur20-lift.toml") },
     BuiltIn { name: "natural-2r", text: include_str!("../../scenarios/natural-2r.toml") },
     BuiltIn { name: "natural-pa10", text: include_str!("../../scenarios/natural-pa10.toml") },
     BuiltIn { name: "helix-plane-sphere", text: include_str!("../../scenarios/helix-plane-sphere.toml") },
@@ -158,6 +165,18 @@ impl Scenario {
     /// The key of the path's first point, for errors about it.
     pub(crate) fn path_start_key(&self) -> String {
         self.file.path.start_key()
+    }
+
+    /// The method that the verdict is about, if the scenario says so.
+    #[must_use]
+    pub fn judged_method(&self) -> Option<Method> {
+        self.file.compare.method
+    }
+
+    /// The verdict that it is expected to get.
+    #[must_use]
+    pub fn expectation(&self) -> Expectation {
+        self.file.compare.expect
     }
 
     /// Default tolerance of the verdict, as a fraction.

@@ -2,7 +2,8 @@
 
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
-use serde::Deserialize;
+use crate::law::Method;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A whole scenario file.
@@ -19,10 +20,11 @@ pub(crate) struct ScenarioFile {
     pub(crate) control: ControlTable,
     #[serde(default)]
     pub(crate) fixed_speed: FixedSpeedTable,
+    pub(crate) natural: Option<NaturalTable>,
     #[serde(default)]
     pub(crate) optimum: OptimumTable,
     #[serde(default)]
-    pub(crate) compare: CompareTable,
+    pub(crate) compare: SpeedCompareTable,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -247,6 +249,27 @@ pub(crate) enum IntegrationName {
     Rk4,
 }
 
+/// Constant speed and natural motion beside the other methods.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct NaturalTable {
+    #[serde(default)]
+    pub(crate) factor: FactorName,
+    pub(crate) share: Option<Number>,
+    pub(crate) rise: Option<Number>,
+}
+
+/// What natural motion's speed is proportional to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum FactorName {
+    /// The determinant of the Jacobian.
+    #[default]
+    Determinant,
+    /// The determinant without the part of a spherical wrist.
+    Arm,
+}
+
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct OptimumTable {
@@ -255,6 +278,28 @@ pub(crate) struct OptimumTable {
 
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
+pub(crate) struct SpeedCompareTable {
+    pub(crate) method: Option<Method>,
+    pub(crate) tolerance: Option<Number>,
+    #[serde(default)]
+    pub(crate) expect: Expectation,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct CompareTable {
     pub(crate) tolerance: Option<Number>,
+    #[serde(default)]
+    pub(crate) expect: Expectation,
+}
+
+/// The verdict that a scenario is expected to get: some are there to show where a law falls short.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Expectation {
+    /// The verdict holds.
+    #[default]
+    Holds,
+    /// It does not.
+    Fails,
 }

@@ -1,4 +1,5 @@
-use super::{Pid, PidState};
+use super::limit::TorqueLimits;
+use super::{Pid, PidState, TorqueOutput};
 use crate::{JointState, MotionError};
 use slideway_robot::{Dynamics, JointVector};
 
@@ -16,15 +17,6 @@ pub enum TorqueLaw {
     ComputedTorque,
 }
 
-/// Torques of one sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TorqueOutput<const N: usize> {
-    /// Torques, inside the limits, N·m or N.
-    pub torque: JointVector<N>,
-    /// Joints whose torque was cut.
-    pub cut: [bool; N],
-}
-
 /// Joint torques from a set-point and the measured state. Source: `[R16]`, feed-forward torque control.
 ///
 /// A torque that is NaN becomes 0.
@@ -33,7 +25,7 @@ pub struct TorqueController<const N: usize> {
     dynamics: Dynamics<N>,
     law: TorqueLaw,
     feedback: [Pid; N],
-    largest: JointVector<N>,
+    largest: TorqueLimits<N>,
     states: [PidState; N],
 }
 
@@ -49,9 +41,7 @@ impl<const N: usize> TorqueController<N> {
         feedback: [Pid; N],
         largest: JointVector<N>,
     ) -> Result<Self, MotionError> {
-        if let Some(&value) = largest.iter().find(|&&t| !(t > 0.0)) {
-            return Err(MotionError::Setting { name: "largest", value });
-        }
+        let largest = TorqueLimits::new(largest)?;
         Ok(Self { dynamics, law, feedback, largest, states: [PidState::default(); N] })
     }
 
@@ -68,13 +58,6 @@ impl<const N: usize> TorqueController<N> {
             TorqueLaw::FeedForward => feedback + self.dynamics.inverse(q, qd, &desired.qdd),
             TorqueLaw::ComputedTorque => self.dynamics.inverse(q, qd, &(desired.qdd + feedback)),
         };
-        self.cut(&torque)
-    }
-
-    fn cut(&self, torque: &JointVector<N>) -> TorqueOutput<N> {
-        let inside = |i: usize| torque[i].abs() <= self.largest[i];
-        let limited =
-            |i: usize| if torque[i].is_nan() { 0.0 } else { torque[i].clamp(-self.largest[i], self.largest[i]) };
-        TorqueOutput { torque: JointVector::from_fn(|i, _| limited(i)), cut: std::array::from_fn(|i| !inside(i)) }
+        self.largest.cut(&torque)
     }
 }

@@ -102,6 +102,12 @@ impl<const N: usize> Dynamics<N> {
         &self.drives
     }
 
+    /// The effects of the drives that take part.
+    #[must_use]
+    pub fn effects(&self) -> DriveEffects {
+        self.effects
+    }
+
     /// Reflected rotor inertia of a joint, zero unless it takes part.
     fn rotor(&self, joint: usize) -> f64 {
         if self.effects.rotor_inertia { self.drives[joint].reflected_inertia } else { 0.0 }

@@ -1,0 +1,50 @@
+use crate::args::AttackArguments;
+use crate::claims::{bar, chosen};
+use crate::diagnostic::CliError;
+use crate::output::{Outcome, print};
+use slideway_proofs::engine::{Attack, Engine, Found};
+use slideway_proofs::ledger::margin_in_words;
+use slideway_proofs::subject::Subject;
+use std::time::Duration;
+
+/// Moves between two restarts.
+const RESTART: u32 = 2_000;
+
+/// Longest search, a week: beyond it a duration may not be representable.
+const LONGEST_MIN: f64 = 7.0 * 24.0 * 60.0;
+
+pub(crate) fn run(arguments: &AttackArguments) -> Result<Outcome, CliError> {
+    if !(arguments.minutes > 0.0 && arguments.minutes <= LONGEST_MIN) {
+        let remedy = "choose a positive number of minutes, a week at most";
+        return Err(CliError::Option { option: "minutes", value: arguments.minutes, remedy });
+    }
+    let claims = chosen(arguments.claim.as_deref())?;
+    let engines: Vec<(&str, &Engine)> =
+        claims.iter().flat_map(|claim| claim.engines.iter().map(|engine| (claim.name, engine))).collect();
+    let share = Duration::from_secs_f64(60.0 * arguments.minutes / engines.len().max(1) as f64);
+    let attack = Attack { seed: arguments.seed, restart: RESTART, limit: share };
+    let bar = bar(engines.len() as u64);
+    let mut outcome = Outcome::Holds;
+    for (claim, engine) in engines {
+        let found = attack.run(engine, Subject::Shipped, |tried, margin| {
+            bar.set_message(format!("{claim}: {tried} cases, margin {}", margin_in_words(margin)));
+        });
+        bar.inc(1);
+        let line = described(claim, engine, &found);
+        bar.suspend(|| print(&line));
+        if found.violation.is_some() {
+            outcome = Outcome::Fails;
+        }
+    }
+    bar.finish_and_clear();
+    Ok(outcome)
+}
+
+fn described(claim: &str, engine: &Engine, found: &Found) -> String {
+    let margin = margin_in_words(found.margin);
+    let head = format!("{claim:24} {:64} {:>9} cases, margin {margin}\n", engine.name, found.tried);
+    match &found.violation {
+        None => head,
+        Some(what) => format!("{head}  VIOLATED: {what}\n  choices: {:?}\n", found.choices),
+    }
+}

@@ -1,0 +1,79 @@
+use crate::course::{Course, CourseSample, ProfilePoint};
+use crate::error::LabError;
+use crate::joint_path::JointPath;
+use crate::problem::Problem;
+use crate::simulate::pad;
+use crate::trace::{Sample, Trace};
+use slideway_robot::{Dynamics, JointVector};
+
+/// Use of a speed limit from which a joint counts as at it.
+const AT_LIMIT: f64 = 0.99;
+
+/// A state of the joints at one time.
+#[derive(Clone, Copy)]
+struct Moment<const N: usize> {
+    t: f64,
+    lambda: f64,
+    q: JointVector<N>,
+    speed: JointVector<N>,
+}
+
+impl<const N: usize> Moment<N> {
+    fn of(sample: &Sample) -> Self {
+        let vector = |values: &[f64]| JointVector::from_fn(|i, _| values[i]);
+        Self { t: sample.t, lambda: sample.lambda, q: vector(&sample.q), speed: vector(&sample.commanded) }
+    }
+
+    fn on_to(&self, next: &Self, dynamics: Option<&Dynamics<N>>) -> CourseSample {
+        let dt = next.t - self.t;
+        let (speed, acceleration) = ((self.speed + next.speed) * 0.5, (next.speed - self.speed) / dt);
+        let torque = dynamics.map(|d| d.inverse(&((self.q + next.q) * 0.5), &speed, &acceleration));
+        CourseSample {
+            t: self.t + 0.5 * dt,
+            dt,
+            lambda: 0.5 * (self.lambda + next.lambda),
+            path_rate: (next.lambda - self.lambda) / dt,
+            speed: pad(&speed),
+            acceleration: pad(&acceleration),
+            torque: torque.map(|t| pad(&t)),
+        }
+    }
+}
+
+/// The course of a run, from the first motion of its reference to the reference's end.
+pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&Dynamics<N>>, trace: &Trace) -> Course {
+    let following = trace.following();
+    let start = following.iter().position(|s| s.path_rate > 0.0).unwrap_or(following.len());
+    // The last sample of a regulated run is cut short at the path's end: its command is not one of the law's.
+    let end = if trace.method.is_regulated() { following.len().saturating_sub(1).max(start) } else { following.len() };
+    let moving = &following[start..end];
+    let settled = moving.iter().find(|s| trace.method.is_regulated() && s.limit_ratio >= AT_LIMIT);
+    let moments: Vec<Moment<N>> = moving.iter().map(Moment::of).collect();
+    Course {
+        joints: N,
+        path: problem.path.start()..problem.path.end(),
+        settled_s: settled.map_or(0.0, |s| s.t),
+        samples: moments.windows(2).map(|w| w[0].on_to(&w[1], dynamics)).collect(),
+    }
+}
+
+/// The course of an optimum's profile. Intervals at whose ends the rate has no bound are left out.
+pub(crate) fn course_along<const N: usize>(
+    problem: &Problem<N>,
+    dynamics: Option<&Dynamics<N>>,
+    path: &JointPath<N>,
+    profile: &[ProfilePoint],
+) -> Result<Course, LabError> {
+    let mut samples = Vec::new();
+    for pair in profile.windows(2).filter(|w| w[0].piece == w[1].piece && w[0].t < w[1].t) {
+        let Some(piece) = path.pieces().get(pair[0].piece) else { continue };
+        let moment = |point: &ProfilePoint| -> Result<Moment<N>, LabError> {
+            let at = piece.at(problem, point.s)?;
+            Ok(Moment { t: point.t, lambda: at.lambda, q: at.q, speed: at.first * point.rate })
+        };
+        if pair.iter().all(|p| p.rate.is_finite()) {
+            samples.push(moment(&pair[0])?.on_to(&moment(&pair[1])?, dynamics));
+        }
+    }
+    Ok(Course { joints: N, path: problem.path.start()..problem.path.end(), settled_s: 0.0, samples })
+}

@@ -1,0 +1,28 @@
+; Claim drift-with-feedback, the ratio while m > 1: u = 0, for one joint and one of its limits: y = x + v f d the use of the limit, y <= m.
+; x' = (1 - k phi) x + r; S bounds (v' - v) f d, R bounds |r|, E bounds |x|.
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const k Real)
+(declare-const f Real)
+(declare-const d Real)     ; target rate, 1/s
+(declare-const v Real)     ; joint speed per path rate, in limits, s
+(declare-const v_next Real)
+(declare-const x Real)
+(declare-const r Real)
+(declare-const E Real)
+(declare-const S Real)
+(declare-const R Real)
+(declare-const M Real)
+(declare-const phi Real)
+(define-fun larger ((p Real) (q Real)) Real (ite (<= p q) q p))
+(define-fun f_next () Real (* (- 1.0 a) f))
+(define-fun x_next () Real (+ (* (- 1.0 (* k phi)) x) r))
+(define-fun y_next () Real (+ x_next (* v_next f_next d)))
+(assert (and (< 0.0 a) (<= a 1.0) (<= 0.0 k) (<= k 1.0) (<= 0.0 f) (<= f 1.0) (< 0.0 d)))
+(assert (and (<= (- E) x) (<= x E) (<= (- R) r) (<= r R)))
+(assert (<= (* (- v_next v) f d) S))
+(assert (and (< 0.0 phi) (<= phi 1.0)))
+(assert (<= (+ x (* v f d)) M))
+(assert (>= (* a M) (+ (* (- 1.0 a) S) R (* E (larger a k)))))
+(assert (not (<= y_next M)))
+(check-sat)

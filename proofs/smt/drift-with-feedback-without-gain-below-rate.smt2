@@ -1,0 +1,10 @@
+; Twin of drift-with-feedback: Kp Ts may exceed 1. A lag inside its bound is then carried out on the other side.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const k Real)
+(declare-const x Real)
+(assert (and (<= 1.0 k) (<= k 4.0) (<= 0.1 x) (<= x 0.3)))
+(assert (<= (* (- 1.0 k) x) (- (- x) 0.05)))
+(check-sat)
+(get-value (k x))

@@ -1,0 +1,11 @@
+; Twin of farkas: a negative multiplier "proves" that the row x <= b has no x in [0, 1], which x = 0 keeps.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const mu Real)
+(declare-const b Real)
+(define-fun least () Real (ite (< mu 0.0) mu 0.0))
+(assert (and (<= (- 4.0) mu) (<= mu 4.0) (<= 0.25 b) (<= b 4.0)))
+(assert (> (- least (* mu b)) 0.1))
+(check-sat)
+(get-value (mu b))

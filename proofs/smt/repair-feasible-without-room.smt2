@@ -1,0 +1,10 @@
+; Twin of repair-feasible: the other profile has no room in the row, r = 0. Only theta = 1 would do.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const v Real)
+(declare-const theta Real)
+(assert (and (<= 0.1 v) (<= v 1.0) (<= 0.0 theta) (<= theta 0.9)))
+(assert (>= (* (- 1.0 theta) v) 0.05))
+(check-sat)
+(get-value (v theta))

@@ -1,0 +1,11 @@
+; Claim repair-feasible: a profile that exceeds a row by v > 0 and one that keeps it with room r > 0, blended with theta >= v / (v + r).
+(set-logic QF_NRA)
+(declare-const v Real)
+(declare-const r Real)
+(declare-const theta Real)
+(declare-const x Real) (declare-const w Real) (declare-const cap Real)
+(assert (and (< 0.0 v) (< 0.0 r) (<= 0.0 theta) (<= theta 1.0) (>= (* theta (+ v r)) v)))
+(assert (and (<= 0.0 x) (<= x cap) (<= 0.0 w) (<= w cap)))
+(define-fun blend () Real (+ x (* theta (- w x))))
+(assert (not (and (<= (+ (* (- 1.0 theta) v) (* theta (- r))) 0.0) (<= 0.0 blend) (<= blend cap))))
+(check-sat)

@@ -1,0 +1,18 @@
+; Claim synchronised-advance, the lag of one joint: it shrinks, whatever m is, up to the remainder of Taylor's formula.
+; The robot moves by Ts phi (q' f d + Kp eta), the linearised reference by Ts phi q' f d: the path terms cancel.
+(set-logic QF_NRA)
+(declare-const T Real)
+(declare-const K Real)
+(declare-const phi Real)
+(declare-const f Real)
+(declare-const d Real)
+(declare-const slope Real)
+(declare-const eta Real)
+(declare-const rest Real)
+(define-fun abs_of ((y Real)) Real (ite (< y 0.0) (- y) y))
+(define-fun reference () Real (+ (* slope T phi f d) rest))
+(define-fun robot () Real (* T phi (+ (* slope f d) (* K eta))))
+(define-fun eta_next () Real (- (+ eta reference) robot))
+(assert (and (< 0.0 T) (<= 0.0 K) (<= (* K T) 1.0) (<= 0.0 phi) (<= phi 1.0)))
+(assert (not (<= (abs_of eta_next) (+ (* (- 1.0 (* K T phi)) (abs_of eta)) (abs_of rest)))))
+(check-sat)

@@ -1,0 +1,11 @@
+; Twin of synchronised-advance: the published advance, rate = f d. The reference is then faster than the limits allow.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const f Real)
+(declare-const d Real)
+(declare-const v Real)
+(assert (and (<= 0.0 f) (<= f 1.0) (<= 1.0 d) (<= d 4.0) (<= 0.1 v) (<= v 2.0)))
+(assert (>= (* v f d) 1.1))
+(check-sat)
+(get-value (f d v))

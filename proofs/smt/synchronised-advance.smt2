@@ -1,0 +1,15 @@
+; Claim synchronised-advance, one sample: no sample is faster than the limits allow, whatever m is. |x| <= E feedback, in limits.
+; v: use of a limit per unit of path rate, so 1 / v is the largest rate of the path there; rate = phi f d.
+(set-logic QF_NRA)
+(declare-const phi Real)
+(declare-const f Real)
+(declare-const d Real)
+(declare-const v Real)
+(declare-const x Real)
+(declare-const E Real)
+(declare-const m Real)
+(assert (and (<= 0.0 f) (< 0.0 d) (< 0.0 v) (<= 0.0 E) (<= (- E) x) (<= x E)))
+(assert (<= (+ x (* v f d)) m))
+(assert (ite (<= m 1.0) (= phi 1.0) (= (* phi m) 1.0)))
+(assert (not (<= (* v phi f d) (+ 1.0 E))))
+(check-sat)
