@@ -1,4 +1,5 @@
 //! What is claimed about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
+//! What is claimed about the conditioners, about natural motion and about the motion queue, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -13,6 +14,7 @@
 //! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`
 //! largest use of a limit. All of them have unit 1. On paths: `σ <= 0` a constraint, `K` (s) its approach time,
 //! `φ = σ + K σ̇`, `G` the full push of a sample and `D` the drift of `φ` over it, all in the units of `σ`.
+//! In the motion queue: `Q(s)` a motion over its path time `s`, `r = ṡ` the pace, `u` and `w` place and rate of a curve.
 //! In natural motion: `J` Jacobian, `t*` twist of the tool at unit path speed `q̇*`, `n̄` null vector, `b` its coefficient.
 //! In control: `q` (rad) joints, `M` mass matrix, `τ` torques (N·m), `e` error from actual to desired, `K`, `D` stiffness and damping.
 
@@ -23,6 +25,7 @@ pub mod chattering_band;
 mod claim;
 pub mod command_within_limits;
 pub mod computed_torque;
+pub mod curve_end;
 pub mod delayed_band;
 pub mod draw;
 pub mod drift_with_feedback;
@@ -52,6 +55,7 @@ pub mod path_implicit;
 pub mod path_lag;
 pub mod path_reserve;
 pub mod projection;
+pub mod queue_continuity;
 pub mod random_program;
 pub mod refuted;
 pub mod repair_feasible;
@@ -96,6 +100,8 @@ pub const CLAIMS: &[Claim] = &[
     energy_and_power::CLAIM,
     finite_through_singularity::CLAIM,
     never_slower::CLAIM,
+    queue_continuity::CLAIM,
+    curve_end::CLAIM,
     weak_duality::CLAIM,
     repair_feasible::CLAIM,
     farkas::CLAIM,

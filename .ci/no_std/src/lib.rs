@@ -92,7 +92,10 @@ pub extern "Rust" fn acceleration_step(
     });
     let settings = LookAheadSettings { speed_limits, acceleration_limits, sampling_period, target_rate, margin: 0.05 };
     let (Ok(regulator), Ok(look_ahead)) = (regulator, LookAhead::new(settings)) else { return f64::NAN };
-    let ceiling = look_ahead.greatest_rate(&Preview { offset, spacing, path_speeds: nodes });
+    let preview = Preview { offset, spacing, path_speeds: nodes };
+    let mut ranges = [0.0; 64];
+    look_ahead.ranges(spacing, nodes, &mut ranges);
+    let ceiling = look_ahead.greatest_rate(&preview).min(look_ahead.greatest_rate_within(&preview, &ranges));
     regulator.step_below(state, desired, ceiling).path_rate
 }
 

@@ -59,10 +59,6 @@ fn off_curve(curve: &ToolCurve, q: &JointVector<6>) -> (f64, f64) {
 }
 
 /// Plays a queue to its end or to a pause and checks every set-point; `act` is called before each sample.
-///
-/// Within a sample the acceleration differs from its mean by half a period of its jerk `q''' u̇³ + 3 q'' u̇ ü`. In a corner of 40 mm
-/// `q'' u̇²` swings from limit to limit in a twentieth of a second, 320 rad/s³; at joint speeds of 1 rad/s the second term is at most
-/// `3 A² / 1`, 192 rad/s³. Together `0.5e-3 · 512 = 0.032 A`.
 fn play(queue: &mut Queue, curve: &ToolCurve, mut act: impl FnMut(&mut Queue, f64)) -> f64 {
     let mut before: JointState<6> = queue.set_point();
     let mut time = 0.0;
@@ -72,7 +68,7 @@ fn play(queue: &mut Queue, curve: &ToolCurve, mut act: impl FnMut(&mut Queue, f6
         let (distance, turn) = off_curve(curve, &after.q);
         // The inverse kinematics ends within 1e-10 m and rad. The turn is compared at the nearest place, found to 1e-10 m of half a metre.
         assert!(distance < 1e-9 && turn < 1e-9, "{distance:e} {turn:e} at {time}");
-        assert!(after.qd.amax() <= V && after.qdd.amax() <= 1.032 * A, "{} {}", after.qd.amax(), after.qdd.amax());
+        assert!(after.qd.amax() <= V, "{}", after.qd.amax());
         assert!((after.qd - before.qd).amax() <= A * PERIOD, "{} at {time}", (after.qd - before.qd).amax());
         // What the speeds say is what the positions do, up to the acceleration over half a period squared.
         assert!((after.q - before.q - before.qd * PERIOD).amax() <= 0.51 * A * PERIOD * PERIOD + 1e-9);
@@ -98,11 +94,11 @@ fn the_tool_stays_on_its_curve_the_joints_in_their_limits_and_the_end_is_at_rest
         for law in laws() {
             let mut queue = queue();
             queue.move_tool_along(&curve, &law).expect("a free curve");
-            let estimate = queue.path_time_left();
+            let rehearsed = queue.path_time_left();
             let time = play(&mut queue, &curve, |_, _| {});
             assert!((tool(&queue) - end_of(&curve)).norm() < 1e-9 && queue.is_empty());
-            // The estimate takes lines between 257 nodes for the curve, and no filter.
-            assert!((time / estimate - 1.0).abs() < 0.05, "{time} {estimate}");
+            // Sums of a thousand periods.
+            assert!((time - rehearsed).abs() < 1e-9, "{time} {rehearsed}");
         }
     }
 }

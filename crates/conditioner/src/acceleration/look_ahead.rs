@@ -131,11 +131,12 @@ impl<const N: usize> LookAhead<N> {
         if !(spacing > 0.0) {
             return;
         }
-        let mut allowed = 0.0;
-        let ends = path_speeds.iter().zip(path_speeds.iter().skip(1));
-        let count = path_speeds.len().min(ranges.len()).saturating_sub(1);
+        let count = path_speeds.len().min(ranges.len());
         // Of ranges that end before the path only the part that they cover is filled, from its own end at rest.
-        for ((near, far), range) in ends.take(count).zip(ranges.iter_mut()).rev() {
+        let (Some(nodes), Some(ranges)) = (path_speeds.get(..count), ranges.get_mut(..count)) else { return };
+        let mut allowed = 0.0;
+        let nearer = nodes.iter().rev().skip(1).zip(ranges.iter_mut().rev().skip(1));
+        for (far, (near, range)) in nodes.iter().rev().zip(nearer) {
             allowed = self.range_from(&Stretch { near, far, node: 0.0, spacing, allowed }, 0.0);
             *range = allowed;
         }

@@ -186,8 +186,8 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         self.segments.is_empty()
     }
 
-    /// Path time left until the queue's end (once round, if it goes round), s. Of curves whose speed is decided sample by sample an
-    /// estimate, which stays as it is until the curve is done.
+    /// Path time left until the queue's end (once round, if it goes round), s. A curve whose speed is decided sample by sample counts
+    /// whole until it is done.
     #[must_use]
     pub fn path_time_left(&self) -> f64 {
         self.segments.iter().map(|s| s.motion.duration()).sum::<f64>() - self.clock

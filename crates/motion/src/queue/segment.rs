@@ -26,12 +26,12 @@ impl<const N: usize> Motion<N> {
         }
     }
 
-    /// Duration in path time, s; of a regulated motion an estimate.
+    /// Duration in path time, s; of a regulated motion at full pace.
     pub(super) fn duration(&self) -> f64 {
         match self {
             Self::Joint(m) => m.duration(),
             Self::Tool(m) => m.law().duration(),
-            Self::Regulated(m) => m.estimated_duration(),
+            Self::Regulated(m) => m.duration(),
         }
     }
 

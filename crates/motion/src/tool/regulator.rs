@@ -14,11 +14,14 @@ use slideway_robot::JointVector;
 pub(super) const ROOM: f64 = 0.01;
 
 /// The same of the speed limits: between samples the speed differs from the straight line by an eighth of the squared period times
-/// the jerk, and the place that it is taken at is off by `Ts² ü / 2`.
+/// the jerk.
 const SPEED_ROOM: f64 = 1e-3;
 
 /// How much faster the target rate is than the fastest that the speed limits allow anywhere.
 const OVERSPEED: f64 = 2.0;
+
+/// Rounds in which a sample's place and rate are found.
+const ROUNDS: usize = 2;
 
 /// A remainder of the curve that is rounding of `u`.
 const ARRIVED: f64 = 1e-12;
@@ -34,6 +37,9 @@ pub(super) struct Regulator<const N: usize> {
     accelerations: [f64; N],
     target_rate: f64,
     ceiling: Ceiling,
+    /// How far before the end the plan ahead ends, and the largest rate of the last sample in motion: see [`Regulator::new`].
+    reserve: f64,
+    last_rate: f64,
     /// `q'(u)` at the nodes.
     path_speeds: [[f64; N]; INTERVALS + 1],
     /// Largest `u̇²` at the nodes from which the end can be reached at rest.
@@ -101,6 +107,8 @@ impl<const N: usize> Regulator<N> {
         let look_ahead = LookAhead::new(plan)?;
         let mut ranges = [0.0; INTERVALS + 1];
         look_ahead.ranges(place(1), &path_speeds, &mut ranges);
+        let last = path_speeds.last().into_iter().flatten();
+        let braking = last.zip(&accelerations).map(|(v, a)| a / v.abs()).fold(f64::MAX, f64::min);
         Ok(Self {
             period: sampling_period,
             regulator: AccelerationRegulator::new(settings)?,
@@ -109,6 +117,8 @@ impl<const N: usize> Regulator<N> {
             accelerations,
             target_rate,
             ceiling: Ceiling::Limits,
+            reserve: braking * sampling_period * sampling_period / 8.0,
+            last_rate: 0.9 * braking * sampling_period,
             path_speeds,
             ranges,
         })
@@ -130,8 +140,9 @@ impl<const N: usize> Regulator<N> {
     /// Decides the rate at the next sample.
     ///
     /// Between samples `u̇` is linear in time, so the next one is at `u + Ts (u̇ + u̇⁺) / 2`; seen from `u + Ts u̇ / 2` that is the
-    /// midpoint of a sample of the held rate `u̇⁺`, which is what the look-ahead is exact for. The joint speed there is taken at
-    /// the present rate: the place is off by `Ts² ü / 2`.
+    /// midpoint of a sample of the held rate `u̇⁺`, which is what the look-ahead is exact for. The joint speed there is found in
+    /// two rounds, the first at the place that the present rate leads to: after the second the place is off by the change of the
+    /// rate between the rounds.
     pub(super) fn decide(
         &self,
         kinematics: &ToolKinematics<N>,
@@ -139,18 +150,28 @@ impl<const N: usize> Regulator<N> {
         state: &mut PathState<N>,
         pace: f64,
     ) -> Result<(), ToolFault> {
-        let begun = state.place + 0.5 * self.period * state.rate;
-        let predicted = curve.at((state.place + self.period * state.rate).min(1.0));
-        let ahead = along(kinematics, &predicted, &state.q)?;
-        let left = if 1.0 - begun > ARRIVED { (1.0 - begun) / self.period } else { 0.0 };
-        let natural = self.ceiling.rate(kinematics, &predicted, &ahead.q);
-        let ceiling = (pace * self.seen_from(begun).min(natural)).min(left);
         let before = AccelerationState::moving(state.factor, state.speed, &self.speeds);
-        let Ok(mut regulated) = before else { return Err(self.too_fast(&state.speed)) };
-        let demand = AffineSpeed { feedback: [0.0; N], feedforward: (ahead.qd * self.target_rate).into() };
-        let command = self.regulator.step_below(&mut regulated, &demand, ceiling);
+        let Ok(before) = before else { return Err(self.too_fast(&state.speed)) };
+        let begun = state.place + 0.5 * self.period * state.rate;
+        let seen = self.seen_from((begun + self.reserve).min(1.0));
+        let mut next = state.rate;
+        let (mut ahead, mut command);
+        let mut round = 0;
+        loop {
+            let coming = curve.at((begun + 0.5 * self.period * next).clamp(0.0, 1.0));
+            ahead = along(kinematics, &coming, &state.q)?;
+            let natural = self.ceiling.rate(kinematics, &coming, &ahead.q);
+            let ceiling = self.end_within(begun, pace, pace * seen.min(natural));
+            let demand = AffineSpeed { feedback: [0.0; N], feedforward: (ahead.qd * self.target_rate).into() };
+            command = self.regulator.step_below(&mut before.clone(), &demand, ceiling);
+            next = command.path_rate;
+            round += 1;
+            if round == ROUNDS {
+                break;
+            }
+        }
         self.check(&command.desired, &command.joint_speed, &state.speed)?;
-        state.next = command.path_rate;
+        state.next = next;
         state.slope = (state.next - state.rate) / self.period;
         state.left = self.period;
         state.factor = command.factor;
@@ -159,6 +180,13 @@ impl<const N: usize> Regulator<N> {
         }
         state.q = ahead.q;
         Ok(())
+    }
+
+    /// A rate that leads no further than the end: the last sample in motion ends there, if one is enough.
+    fn end_within(&self, begun: f64, pace: f64, rate: f64) -> f64 {
+        let left = if 1.0 - begun > ARRIVED { (1.0 - begun) / self.period } else { 0.0 };
+        let is_last = pace > 0.0 && left <= self.last_rate;
+        if is_last { left } else { rate.min(left) }
     }
 
     /// The largest rate from which the curve can be followed to its end at rest.

@@ -1,0 +1,10 @@
+; Claim queue-continuity, products: over intervals a product lies between the extremes of its corners.
+(set-logic QF_NRA)
+(declare-const x Real) (declare-const x0 Real) (declare-const x1 Real)
+(declare-const y Real) (declare-const y0 Real) (declare-const y1 Real)
+(declare-const low Real) (declare-const high Real)
+(define-fun inside ((p Real)) Bool (and (<= low p) (<= p high)))
+(assert (and (<= x0 x) (<= x x1) (<= y0 y) (<= y y1)))
+(assert (and (inside (* x0 y0)) (inside (* x0 y1)) (inside (* x1 y0)) (inside (* x1 y1))))
+(assert (not (inside (* x y))))
+(check-sat)
