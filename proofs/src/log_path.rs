@@ -17,7 +17,7 @@ impl LogPath {
         for _ in 0..2 + choices.below(8) {
             let length = choices.between(1.0, 20.0) * unit;
             // Steepest, or anything between.
-            let share = (3.0 * (2.0 * choices.unit() - 1.0)).max(-1.0).min(1.0);
+            let share = (3.0 * (2.0 * choices.unit() - 1.0)).clamp(-1.0, 1.0);
             place += length;
             // Cutting a change short keeps its slope below the limit.
             log = (log + share * slope * length).max(lowest).min(highest);

@@ -175,7 +175,7 @@ impl<const N: usize> Regulator<N> {
     }
 
     fn put(&mut self, factor: f64) {
-        if let Ok(state) = SpeedState::moving(factor.max(0.0).min(1.0)) {
+        if let Ok(state) = SpeedState::moving(factor.clamp(0.0, 1.0)) {
             self.state = state;
         }
     }

@@ -110,7 +110,7 @@ fn neighbour(here: &[f64], heat: f64, moves: &mut Choices) -> Vec<f64> {
     let fresh = moves.unit();
     let shift = moves.sign() * heat * moves.decade(-6.0, 0.0);
     if let Some(choice) = changed.get_mut(place) {
-        *choice = if anew { fresh } else { (*choice + shift).max(0.0).min(1.0) };
+        *choice = if anew { fresh } else { (*choice + shift).clamp(0.0, 1.0) };
     }
     changed
 }

@@ -30,6 +30,7 @@ impl Choices {
     }
 
     /// A number in [0, 1).
+    #[allow(clippy::manual_clamp)]
     pub fn unit(&mut self) -> f64 {
         let fresh = self.random.unit();
         let wanted = self.given.get(self.used.len()).copied().unwrap_or(fresh);
@@ -41,7 +42,7 @@ impl Choices {
 
     /// A number in [0, 1], each end met once in ten cases.
     pub fn share(&mut self) -> f64 {
-        (1.25 * self.unit() - 0.125).max(0.0).min(1.0)
+        (1.25 * self.unit() - 0.125).clamp(0.0, 1.0)
     }
 
     /// A number in [low, high).

@@ -23,9 +23,9 @@ pub struct TimeBracket {
 #[must_use]
 pub fn time_bracket(filter_step: f64, overspeed_min: f64, drift: f64, initial_factor: f64) -> Option<TimeBracket> {
     let lowest_ratio = (1.0 - filter_step) * exp(-drift);
-    let in_range = 0.0 < filter_step && filter_step < 1.0 && overspeed_min >= 1.0 && 0.0 <= drift && drift < 2.0;
+    let in_range = 0.0 < filter_step && filter_step < 1.0 && overspeed_min >= 1.0 && (0.0..2.0).contains(&drift);
     let recovers = lowest_ratio * (1.0 - lowest_ratio) <= filter_step * overspeed_min * (1.0 - 1e-15);
-    if !(in_range && recovers && 0.0 <= initial_factor && initial_factor <= 1.0) {
+    if !(in_range && recovers && (0.0..=1.0).contains(&initial_factor)) {
         return None;
     }
     let curve = 1.0 - 0.5 * drift;
