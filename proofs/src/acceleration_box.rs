@@ -18,7 +18,15 @@
 //!
 //! Dropped hypothesis: that the previous command is inside the speed limits.
 
+use slideway_conditioner::acceleration::{
+    AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, Recovery,
+};
+use slideway_conditioner::{AffineSpeed, ParameterError, SpeedLimits};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{self, ROUNDOFF, TS, filter_step, limits};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -34,5 +42,53 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-box-without-previous-inside.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "every_command_is_in_the_box",
+        unit: "rad/s",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: in_the_box,
+    }],
 };
+
+/// Period [`TS`], target rate 5 1/s, feedback as demanded.
+///
+/// # Errors
+///
+/// What the shipped regulator refuses.
+pub fn regulator<const N: usize>(
+    speed_limits: SpeedLimits<N>,
+    acceleration_limits: AccelerationLimits<N>,
+    filter_step: f64,
+) -> Result<AccelerationRegulator<N>, ParameterError> {
+    AccelerationRegulator::new(AccelerationSettings {
+        speed_limits,
+        acceleration_limits,
+        sampling_period: TS,
+        bandwidth: filter_step / TS,
+        target_rate: 5.0,
+        recovery: Recovery::AsDemanded,
+    })
+}
+
+/// Rounding: the sum and the difference in the check round once each; `TS` is a power of two, so the product does not.
+fn in_the_box(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (speeds, accelerations) = (limits::<3>(choices, -2.0, 2.0)?, limits::<3>(choices, -2.0, 3.0)?);
+    let (start, a) = (choices.share(), filter_step(choices));
+    let mut before = [0.0; 3];
+    for ((v, lo), up) in before.iter_mut().zip(speeds.lower()).zip(speeds.upper()) {
+        *v = (lo + choices.share() * (up - lo)).max(*lo).min(*up);
+    }
+    let desired = AffineSpeed { feedback: draw::wild(choices, 10.0), feedforward: draw::wild(choices, 10.0) };
+    let ceiling = choices.bits();
+    let regulator = regulator(speeds, AccelerationLimits::new(*accelerations.lower(), *accelerations.upper())?, a)?;
+    let mut state = AccelerationState::moving(start, before, &speeds)?;
+    let command = regulator.step_below(&mut state, &desired, ceiling);
+    let mut margin = exactly(speeds.contain(&command.joint_speed) && (0.0..=1.0).contains(&command.factor));
+    let ends = accelerations.lower().iter().zip(accelerations.upper());
+    for ((c, p), (lo, up)) in command.joint_speed.iter().zip(&before).zip(ends) {
+        let slack = 2.0 * ROUNDOFF * (c.abs() + p.abs() + TS * (up - lo));
+        margin = worse(margin, worse(c - p - (TS * lo - slack), TS * up + slack - (c - p)));
+    }
+    Ok(margin)
+}

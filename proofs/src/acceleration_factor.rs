@@ -15,7 +15,14 @@
 //! the path may go on without joint 1, and `A_1 + f B_1 = 0` is out of reach for every `f`. The command is then the point of the box
 //! nearest to the demand that exceeds it least.
 
+use slideway_conditioner::acceleration::{AccelerationLimits, AccelerationState, PathKeeping};
+use slideway_conditioner::{AffineSpeed, FirstOrderFilter, SpeedLimits};
+
+use crate::acceleration_box::regulator;
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{TS, filter_step};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -31,5 +38,33 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-factor-without-reachable-ray.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "a_reachable_ray_is_kept_with_the_largest_factor_that_limits_and_filter_allow",
+        unit: "yes or no",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: largest_factor,
+    }],
 };
+
+/// A previous command near the demand at some factor, so that the ray meets the box. A millionth above the factor found none is both
+/// allowed by the filter and reachable; a millionth of `B` is far above rounding.
+fn largest_factor(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let desired = AffineSpeed::<3> { feedback: choices.numbers(-0.3, 0.3), feedforward: choices.numbers(-0.6, 0.6) };
+    let (near, before, a) = (choices.share(), choices.share(), filter_step(choices));
+    let limits = SpeedLimits::symmetric([1.0; 3])?;
+    let regulator = regulator(limits, AccelerationLimits::symmetric([2.0; 3])?, a)?;
+    let mut speed = desired.at(near);
+    for v in &mut speed {
+        *v += 2.0 * TS * choices.between(-0.999, 0.999);
+    }
+    let mut state = AccelerationState::moving(before, speed, &limits)?;
+    let command = regulator.step(&mut state, &desired);
+    let risen = FirstOrderFilter::new(a / TS, TS)?.next(before, 1.0);
+    let above = command.factor + 1e-6;
+    let reaches =
+        |factor: f64| desired.at(factor).iter().zip(&speed).all(|(v, p)| (v - p).abs() <= 2.0 * TS && v.abs() <= 1.0);
+    let size = desired.feedforward.iter().fold(0.0_f64, |s, b| s.max(b.abs()));
+    let largest = above > risen.min(1.0) || size < 1e-6 || !reaches(above) || !reaches(command.factor);
+    Ok(exactly(command.keeping == PathKeeping::OnPath && largest))
+}

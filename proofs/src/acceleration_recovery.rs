@@ -17,7 +17,15 @@
 //!
 //! Dropped hypothesis: the bound on the gain.
 
+use slideway_conditioner::acceleration::{
+    AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, Recovery,
+};
+use slideway_conditioner::{AffineSpeed, ParameterError, SpeedLimits};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::TS;
+use crate::engine::{About, Choices, Cost, Engine, Stop};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -36,5 +44,58 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/acceleration-recovery-without-moderate-gain.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[
+        Engine {
+            name: "a_moderate_gain_never_passes_the_reference",
+            unit: "rad",
+            about: About::Other,
+            cost: Cost::Sample,
+            trial: moderate_gain,
+        },
+        Engine {
+            name: "braking_feedback_never_passes_the_reference_at_any_gain",
+            unit: "rad",
+            about: About::Other,
+            cost: Cost::Sample,
+            trial: braking,
+        },
+    ],
 };
+
+fn regulator(speed: f64, limits: [f64; 2], recovery: Recovery) -> Result<AccelerationRegulator<1>, ParameterError> {
+    let [deceleration, acceleration] = limits;
+    AccelerationRegulator::new(AccelerationSettings {
+        speed_limits: SpeedLimits::symmetric([speed])?,
+        acceleration_limits: AccelerationLimits::new([-deceleration], [acceleration])?,
+        sampling_period: TS,
+        bandwidth: 1.0,
+        target_rate: 1.0,
+        recovery,
+    })
+}
+
+/// Runs the loop from rest; the least error on the way. Rounding: of 400 errors of at most 1 each, 1e-13 in all.
+fn least_error(regulator: &AccelerationRegulator<1>, gain: f64, mut error: f64) -> f64 {
+    let mut state = AccelerationState::at_rest();
+    let mut least = error;
+    for _ in 0..400 {
+        let desired = AffineSpeed { feedback: [gain * error], feedforward: [0.0] };
+        let [speed] = regulator.step(&mut state, &desired).joint_speed;
+        error -= TS * speed;
+        least = least.min(error);
+    }
+    least + 1e-13
+}
+
+fn moderate_gain(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (error, speed) = (choices.between(1e-3, 1.0), choices.between(0.05, 2.0));
+    let limits = choices.numbers::<2>(0.5, 200.0);
+    let gain = choices.share().max(0.01) * (limits[0] / speed).min(1.0 / TS);
+    Ok(least_error(&regulator(speed, limits, Recovery::AsDemanded)?, gain, error))
+}
+
+fn braking(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (error, speed, gain) = (choices.between(1e-3, 1.0), choices.between(0.05, 2.0), choices.between(1.0, 512.0));
+    let limits = choices.numbers::<2>(0.5, 200.0);
+    Ok(least_error(&regulator(speed, limits, Recovery::Braking { gain })?, gain, error))
+}

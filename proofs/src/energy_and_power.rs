@@ -14,7 +14,14 @@
 //!
 //! Dropped hypotheses: gravity balanced; `b` constant.
 
+use nalgebra::Vector3;
+use slideway_robot::augmented::{PathTangent, SingularityConsistent, SpeedFactor};
+use slideway_robot::models::puma560_dynamics;
+use slideway_robot::{JointVector, Task, Twist};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -39,5 +46,35 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
-    engines: &[],
+    engines: &[Engine {
+        name: "energy_goes_with_the_square_and_power_with_the_cube",
+        unit: "share of the terms",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: square_and_cube,
+    }],
 };
+
+/// The PUMA-560 without gravity, by its own energy and inverse dynamics. Roundings: some hundred of 1e-16 in each torque,
+/// of the sizes that cancel in it, which are no larger than accelerations times the mass matrix and centrifugal torques.
+fn square_and_cube(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    fn refused(error: impl std::fmt::Display) -> Stop {
+        Stop::Refused(error.to_string())
+    }
+    let arm = puma560_dynamics().map_err(refused)?.with_gravity(Vector3::zeros());
+    let q = JointVector::from(choices.numbers::<6>(-3.1, 3.1));
+    let (twist, slope) = (choices.numbers::<6>(-1.0, 1.0), choices.numbers::<6>(-1.0, 1.0));
+    let (b, k) = (choices.between(0.1, 3.0), choices.between(0.1, 10.0));
+    let inversion = SingularityConsistent::new(Task::Pose, SpeedFactor::Determinant, 6).map_err(refused)?;
+    let tangent = PathTangent { twist: Twist::from(twist), slope: Twist::from(slope) };
+    let flow = inversion.flow(arm.arm(), &q, &tangent);
+    let energy = |b: f64| arm.kinetic_energy(&q, &flow.motion(b, 0.0).joint_speed);
+    let square = 1e-12 - (energy(k * b) / (k * k * energy(b)) - 1.0).abs();
+    let power = |b: f64| {
+        let motion = flow.motion(b, 0.0);
+        arm.inverse(&q, &motion.joint_speed, &motion.joint_acceleration).dot(&motion.joint_speed)
+    };
+    let speed = flow.direction.joints.norm() * b;
+    let size = arm.mass_matrix(&q).norm() * speed * (flow.slope.joints.norm() * b * b + speed * speed) * k.powi(3);
+    Ok(worse(square, 1e-12 - (power(k * b) - k.powi(3) * power(b)).abs() / size))
+}

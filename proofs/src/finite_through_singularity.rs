@@ -15,7 +15,12 @@
 //!
 //! Dropped hypothesis: codimension one. `n̄` is then zero: the arm stands, still finite.
 
+use slideway_robot::augmented::null_vector;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::natural_world::System;
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -40,5 +45,39 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/finite-through-singularity-without-codimension-one.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "joints_go_on_at_bounded_speed_through_a_planted_singularity",
+        unit: "share of the Hadamard bound",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: joints_go_on,
+    }],
 };
+
+/// Roundings of determinants of six rows, relative to the Hadamard bound; see the claim `null-vector`.
+const SLACK: f64 = 1e-13;
+
+/// A planted singularity: the last column depends on the others. There the path stands and the joints go on. On the way
+/// through it, a share of another column running from -1e-3 to 1e-3, the null vector is no longer than the product of
+/// the rows' lengths, and the path speed, linear in that column, changes its sign.
+fn joints_go_on(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (system, other) = (System::<6>::spoilt(choices, 0.0), System::<6>::draw(choices));
+    let place = null_vector(&system.jacobian, &system.tangent);
+    // Close to a loss of two ranks the direction is that of rounding errors.
+    if !(place.joints.norm() > 1e-6 * system.volume()) {
+        return Err(Stop::Skipped);
+    }
+    let mut margin = SLACK - place.path.abs() / system.volume();
+    for share in [1e-6, 1e-3] {
+        let [before, after] = [-share, share].map(|share| {
+            let mut passing = system;
+            passing.jacobian.set_column(5, &(system.jacobian.column(5) + other.jacobian.column(5) * share));
+            (null_vector(&passing.jacobian, &passing.tangent), passing.volume())
+        });
+        for (null, volume) in [before, after] {
+            margin = worse(margin, 1.0 + SLACK - null.norm() / volume);
+        }
+        margin = worse(margin, 2.0 * SLACK - (before.0.path + after.0.path).abs() / (before.1 + after.1));
+    }
+    Ok(margin)
+}

@@ -13,7 +13,13 @@
 //!
 //! Dropped hypothesis: `b` constant, as at constant speed.
 
+use slideway_robot::augmented::{PathTangent, SingularityConsistent, SpeedFactor};
+use slideway_robot::models::puma560;
+use slideway_robot::{JointVector, Task, Twist};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -32,5 +38,28 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/natural-speed-without-constant-b.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "tool_moves_along_the_path_at_b_times_the_determinant",
+        unit: "1",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: as_the_determinant,
+    }],
 };
+
+/// The shipped inversion on the six-joint arm. The tool's twist is that of its Jacobian, the determinant that of its
+/// elimination; lengths below 1 m and unit axes make every row shorter than 3, so products of six stay below 1e3 and
+/// their roundings below 1e-12.
+fn as_the_determinant(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let arm = puma560();
+    let q = JointVector::from(choices.numbers::<6>(-3.1, 3.1));
+    let tangent = PathTangent { twist: Twist::from(choices.numbers::<6>(-1.0, 1.0)), slope: Twist::zeros() };
+    let b = choices.between(-3.0, 3.0);
+    let inversion = SingularityConsistent::new(Task::Pose, SpeedFactor::Determinant, 6)
+        .map_err(|error| Stop::Refused(error.to_string()))?;
+    let motion = inversion.flow(&arm, &q, &tangent).motion(b, 0.0);
+    let jacobian = arm.jacobian(&q);
+    let determinant = jacobian.lu().determinant();
+    let along = 1e-12 - (motion.path_speed - b * determinant).abs();
+    Ok(worse(along, 1e-11 - (jacobian * motion.joint_speed - tangent.twist * (b * determinant)).norm()))
+}

@@ -17,7 +17,14 @@
 //!
 //! Dropped hypothesis: the filter has settled.
 
+use slideway_conditioner::{AffineSpeed, ImplicitSpeedRegulator, SpeedState};
+use slideway_robot::augmented::null_vector;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::{limits, settings};
+use crate::engine::{About, Choices, Cost, Engine, Stop};
+use crate::natural_world::System;
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -33,5 +40,36 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/never-slower-without-settled-filter.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "regulated_path_rate_is_no_lower_than_that_of_natural_motion",
+        unit: "share of the target rate",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: at_least_as_fast,
+    }],
 };
+
+/// Natural motion of a random system of three joints, `b` as large as the limits allow times a share; the shipped implicit
+/// form at the same place, 200 samples after rest. With `a >= 0.2` the filter has risen to `1 - 0.8^200 = 1 - 4e-20`: settled.
+/// Roundings: some ten of 1e-16 in each of the two rates; the condition of `n / det J` cancels: both take the same quotient.
+fn at_least_as_fast(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let system = System::<3>::draw(choices);
+    let limits = limits::<3>(choices, -2.0, 2.0)?;
+    let (share, a, headroom) = (choices.share(), choices.between(0.2, 1.0), choices.between(1.0, 100.0));
+    let null = null_vector(&system.jacobian, &system.tangent);
+    if !(null.path.abs() > 1e-9 * system.volume()) {
+        return Err(Stop::Skipped);
+    }
+    let unit = null.scaled(null.path.signum());
+    let speeds: [f64; 3] = unit.joints.into();
+    let natural: f64 = share / limits.ratio(&speeds) * unit.path;
+    let target = headroom * natural.max(1e-6);
+    let regulator = ImplicitSpeedRegulator::new(settings(limits, a, target))?;
+    let desired = AffineSpeed { feedback: [0.0; 3], feedforward: (unit.joints / unit.path * target).into() };
+    let mut state = SpeedState::at_rest();
+    let mut rate = 0.0;
+    for _ in 0..200 {
+        rate = regulator.step(&mut state, &desired).path_rate;
+    }
+    Ok((rate - natural * (1.0 - 20.0 * f64::EPSILON)) / target)
+}

@@ -16,7 +16,15 @@
 //!
 //! Dropped hypotheses: `D̄ <= G`, and `0 <= D_min`.
 
+use slideway_conditioner::PathConditioner;
+use slideway_conditioner::path::bounds::band;
+use slideway_conditioner::path::{Constraint, Motion};
+use slideway_conditioner::shapes::HalfSpace;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly, worse};
+use crate::path_world::{APPROACH, direction, dot, explicit, per_push, settings};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -44,5 +52,37 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
-    engines: &[],
+    engines: &[Engine {
+        name: "one_sample_keeps_the_band",
+        unit: "m",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: one_sample_keeps,
+    }],
 };
+
+/// Rounding: some 30 operations on numbers below 10 (positions of 1, velocities of 1 over the push of a sample).
+fn one_sample_keeps(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (normal, offset, push) = (direction(choices), choices.between(-1.0, 1.0), choices.between(0.01, 1.0));
+    let velocity: [f64; 3] = choices.numbers(-1.0, 1.0);
+    // D_min <= D <= D̄ <= G, and φ anywhere in the band.
+    let (smallest, place, start) = (choices.share(), choices.share(), choices.share());
+    let largest = push * smallest.max(0.5);
+    let (least, drift) = (smallest * largest, largest * (smallest + place * (1.0 - smallest)));
+    let band = band(push, least, largest);
+    let phi = band.lower + start * (band.upper - band.lower);
+    let wall = HalfSpace::new(&normal, offset)?;
+    let conditioner = PathConditioner::<3, 1>::new(settings(explicit(push / per_push())))?;
+    let mut state = conditioner.on_reference();
+    // A reference anywhere on the plane φ = wanted, with any velocity.
+    let mut at = |wanted: f64, velocity: [f64; 3]| {
+        let along = offset + wanted - APPROACH * dot(&normal, &velocity);
+        let reference = Motion { time: 0.0, position: normal.map(|n| along * n), velocity };
+        let [phi] = conditioner.step(&mut state, &reference, |m| [wall.sample(m)]).phi;
+        phi
+    };
+    let before = at(phi, velocity);
+    let after = at(before + drift, velocity.map(|v| -v));
+    let margin = worse(band.upper + 1e-13 - after, after - band.lower + 1e-13);
+    Ok(worse(margin, exactly((before - phi).abs() <= 1e-14)))
+}

@@ -17,7 +17,11 @@
 //!
 //! Dropped hypothesis: `D̄ <= G`.
 
+use slideway_conditioner::path::bounds::appendix_upper_band;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -33,5 +37,26 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-band-appendix-without-push-beating-drift.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "no_sequence_of_drifts_exceeds_the_band",
+        unit: "m",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: drifts_keep,
+    }],
 };
+
+/// The recurrence itself; that the filters tend to it is seen on the helix in the conditioner's own tests. Rounding: 60
+/// additions of numbers up to 60.
+fn drifts_keep(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let push = choices.between(0.1, 2.0);
+    let drifts: Vec<f64> = (0..1 + choices.below(60)).map(|_| choices.between(-0.5, 1.0) * push).collect();
+    let upper = appendix_upper_band(push, drifts.iter().fold(0.0, |a: f64, &b| a.max(b)));
+    let (mut phi, mut switches, mut margin) = (-1e-3, [0.0; 3], f64::INFINITY);
+    for drift in drifts {
+        switches = [f64::from(u8::from(phi >= 0.0)), switches[0], switches[1]];
+        phi += drift - push * (0.25 * switches[0] + 0.5 * switches[1] + 0.25 * switches[2]);
+        margin = worse(margin, upper + 1e-12 - phi);
+    }
+    Ok(margin)
+}

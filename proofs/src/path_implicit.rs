@@ -17,7 +17,13 @@
 //!
 //! Dropped hypotheses: independence, and a gradient that is not empty.
 
+use slideway_conditioner::PathConditioner;
+use slideway_conditioner::path::PathOutcome;
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly, worse};
+use crate::path_world::{APPROACH, Body, Sketch, Swing, implicit, norm, settings};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -45,5 +51,48 @@ pub const CLAIM: Claim = Claim {
             },
         },
     ],
-    engines: &[],
+    engines: &[
+        Engine {
+            name: "one_wall_or_ball_is_kept_at_every_sample",
+            unit: "m",
+            about: About::Other,
+            cost: Cost::Run,
+            trial: stays_inside::<1>,
+        },
+        Engine {
+            name: "triples_of_walls_and_balls_are_kept_at_every_sample",
+            unit: "m",
+            about: About::Other,
+            cost: Cost::Run,
+            trial: stays_inside::<3>,
+        },
+    ],
 };
+
+/// Bodies around the start of a random reference.
+pub(crate) fn bodies<const M: usize>(choices: &mut Choices, swing: &Swing) -> Result<[Body; M], Stop> {
+    let found: [Option<Body>; M] = std::array::from_fn(|_| Sketch::draw(choices, 3).around(&swing.at(0)));
+    let bodies: Vec<Body> = found.into_iter().flatten().collect();
+    bodies.try_into().map_err(|_| Stop::Skipped)
+}
+
+/// A run from an admissible start with the reference's velocity. Only runs in which something acted count.
+///
+/// Rounding of `φ`: rows of condition up to 1e3, times 1e-16, times positions and `K` times velocities as they occur.
+fn stays_inside<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let swing = Swing::draw(choices);
+    let bodies = bodies::<M>(choices, &swing)?;
+    let conditioner = PathConditioner::<3, M>::new(settings(implicit()))?;
+    let mut state = conditioner.on_reference();
+    let (mut margin, mut acted) = (f64::INFINITY, false);
+    for k in 0..300 {
+        let step = conditioner.step(&mut state, &swing.at(k), |m| bodies.each_ref().map(|body| body.sample(m)));
+        let held = matches!(step.outcome, PathOutcome::Held(_));
+        acted |= step.outcome == PathOutcome::Acting;
+        let rounding = 1e-12 * (1.0 + norm(&step.motion.position) + APPROACH * norm(&step.motion.velocity));
+        for phi in &step.phi {
+            margin = worse(margin, if held { exactly(M > 1) } else { rounding - phi });
+        }
+    }
+    if acted { Ok(margin) } else { Err(Stop::Skipped) }
+}

@@ -17,7 +17,14 @@
 //!
 //! Dropped hypothesis: the reserve. A drift greater than the push then leaves the band.
 
+use slideway_conditioner::PathConditioner;
+use slideway_conditioner::path::{PathForm, PathOutcome, Reserve, SwitchingLaw};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::path_implicit::bodies;
+use crate::path_world::{PERIOD, RECOVERY, Swing, norm, per_push, settings};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -36,5 +43,51 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/path-reserve-without-reserve.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[
+        Engine {
+            name: "one_wall_or_ball_keeps_its_band",
+            unit: "m",
+            about: About::Other,
+            cost: Cost::Run,
+            trial: keeps_bands::<1>,
+        },
+        Engine {
+            name: "pairs_keep_their_bands",
+            unit: "m",
+            about: About::Other,
+            cost: Cost::Run,
+            trial: keeps_bands::<2>,
+        },
+    ],
 };
+
+/// Pushes from far too small to ample, and starts with velocity. Where the rows depend on one another the sample is held: at rest, and the
+/// band is not asked about. Rounding: 1e-12 of positions and velocities of the order of 1 to 10.
+fn keeps_bands<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let (swing, amplitude) = (Swing::draw(choices), choices.decade(-2.5, 0.0));
+    let bodies = bodies::<M>(choices, &swing)?;
+    let law = SwitchingLaw::Normalised { amplitude };
+    let form = PathForm::Sliding { law, reserve: Reserve::On { recovery_rate: RECOVERY } };
+    let conditioner = PathConditioner::<3, M>::new(settings(form))?;
+    let mut state = conditioner.on_reference();
+    let (mut beyond, mut margin, mut helped) = ([f64::INFINITY; M], f64::INFINITY, false);
+    for k in 0..300 {
+        let step = conditioner.step(&mut state, &swing.at(k), |m| bodies.each_ref().map(|body| body.sample(m)));
+        helped |= step.outcome == PathOutcome::Reserve;
+        if matches!(step.outcome, PathOutcome::Held(_)) {
+            if M == 1 || step.motion.velocity != [0.0; 3] {
+                return Err(Stop::Refused(format!("{:?} in motion at {k}", step.outcome)));
+            }
+            beyond = [f64::INFINITY; M];
+            continue;
+        }
+        for ((beyond, body), phi) in beyond.iter_mut().zip(&bodies).zip(&step.phi) {
+            let push = per_push() * amplitude * norm(&body.sample(&step.motion).gradient);
+            let left = (*beyond - RECOVERY * PERIOD).max(0.0);
+            *beyond = phi - push;
+            margin = worse(margin, left + 1e-11 - *beyond);
+        }
+    }
+    // Only runs in which the push was not enough count.
+    if helped { Ok(margin) } else { Err(Stop::Skipped) }
+}

@@ -30,6 +30,7 @@ impl Choices {
     }
 
     /// A number in [0, 1).
+    #[allow(clippy::manual_clamp)]
     pub fn unit(&mut self) -> f64 {
         let fresh = self.random.unit();
         let wanted = self.given.get(self.used.len()).copied().unwrap_or(fresh);

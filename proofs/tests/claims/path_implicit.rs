@@ -8,7 +8,7 @@ use slideway_proofs::path_implicit::CLAIM;
 use crate::path_support::{
     APPROACH, Body, PERIOD, RECOVERY, Sketch, Suprema, Swing, implicit, norm, runs, settings, sketch, swing,
 };
-use crate::support::{Outcome, counterexample, proven};
+use crate::support::{Outcome, counterexample, holds, proven};
 
 #[test]
 fn negation_has_no_model() -> Outcome {
@@ -159,4 +159,9 @@ proptest! {
             before = step.phi[0];
         }
     }
+}
+
+#[test]
+fn shipped_code_keeps_it_over_random_cases() -> Outcome {
+    holds(&CLAIM)
 }

@@ -9,7 +9,7 @@ use slideway_conditioner::shapes::{BoothOval, Ellipsoid, HalfSpace, Side};
 use slideway_proofs::path_reserve::CLAIM;
 
 use crate::path_support::{PERIOD, RECOVERY, explicit, norm, per_push, runs, settings, sketch, swing, triple};
-use crate::support::{Outcome, counterexample, proven};
+use crate::support::{Outcome, counterexample, holds, proven};
 
 #[test]
 fn negation_has_no_model() -> Outcome {
@@ -169,4 +169,9 @@ proptest! {
         // Only runs that did walk count.
         prop_assume!(walked > 0);
     }
+}
+
+#[test]
+fn shipped_code_keeps_it_over_random_cases() -> Outcome {
+    holds(&CLAIM)
 }

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use proptest::prelude::{BoxedStrategy, Just, ProptestConfig, Strategy, prop_oneof};
+use proptest::prelude::{BoxedStrategy, ProptestConfig, Strategy};
 use proptest::test_runner::{TestCaseError, TestRunner};
 use slideway_conditioner::{
     Advance, FirstOrderFilter, ParameterError, Saturation, SpeedLimits, SpeedRegulator, SpeedSettings,
@@ -93,11 +93,6 @@ pub(crate) fn unit_joint(step: f64, target_rate: f64) -> Result<SpeedRegulator<1
     SpeedRegulator::new(settings(SpeedLimits::symmetric([1.0])?, step, target_rate))
 }
 
-/// Filter steps over six decades, the largest one included.
-pub(crate) fn filter_step() -> BoxedStrategy<f64> {
-    prop_oneof![1 => Just(1.0), 4 => 1e-3..1.0, 4 => (-6.0..0.0).prop_map(|exponent: f64| 10f64.powf(exponent))].boxed()
-}
-
 fn array<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|joint| values.get(joint).copied().unwrap_or(f64::NAN))
 }
@@ -105,14 +100,4 @@ fn array<const N: usize>(values: &[f64]) -> [f64; N] {
 /// `N` numbers of one strategy.
 pub(crate) fn joints<const N: usize>(one: impl Strategy<Value = f64> + 'static) -> BoxedStrategy<[f64; N]> {
     proptest::collection::vec(one, N).prop_map(|values| array(&values)).boxed()
-}
-
-/// Asymmetric limits, `10^exponent` in size.
-pub(crate) fn limits<const N: usize>(exponents: std::ops::Range<f64>) -> BoxedStrategy<SpeedLimits<N>> {
-    let size = move || exponents.clone().prop_map(|exponent: f64| 10f64.powf(exponent));
-    (joints(size()), joints(size()))
-        .prop_filter_map("limits are positive and finite", |(lower, upper): ([f64; N], [f64; N])| {
-            SpeedLimits::new(lower.map(|l| -l), upper).ok()
-        })
-        .boxed()
 }
