@@ -7,8 +7,12 @@
 //! 1. the negated inductive step has no model (`unsat`);
 //! 2. with the named hypothesis dropped it has one (`sat`), and that counterexample, replayed on the shipped code, is a
 //!    violation there as well. A proof whose hypotheses contradict each other would pass the first check and fail this;
-//! 3. over at least 10 000 random parameter sets that meet the hypotheses, or 2 000 where one set is a whole run of the path
-//!    conditioner, the shipped code keeps the claim, with a slack for rounding that is derived where it is used.
+//! 3. over 10 000 random cases that meet the hypotheses (2 000 where one case is a whole run) the shipped code keeps the claim, with
+//!    a slack for rounding that is derived where it is used.
+//!
+//! The third check is an [`engine::Engine`]: a function from a list of numbers in [0, 1] to the case's margin. `slideway claims` runs the
+//! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, and [`ledger`] puts the regulators of
+//! [`subject::Fault`] in the shipped one's place, each of which some claim has to notice.
 //!
 //! The scripts over the reals (`QF_NRA`) say nothing about rounding; those over doubles (`QF_FP`) are exact to the bit.
 //! Notation throughout: `a = af Ts` filter step, `f` factor, `u` switch, `g = λ̇d / λ̇*(λ)` overspeed, `m = ‖F_N q̇d‖∞`

@@ -54,7 +54,8 @@ fn the_ledger_in_the_repository_is_current() -> Result<(), std::io::Error> {
     for claim in CLAIMS {
         assert!(text.contains(&row_head(claim)), "{}: {remedy}", claim.name);
     }
-    assert_eq!(text.lines().filter(|line| line.starts_with("| `")).count(), CLAIMS.len(), "{remedy}");
+    let (claims, _) = text.split_once("## Refuted").unwrap_or((&text, ""));
+    assert_eq!(claims.lines().filter(|line| line.starts_with("| `")).count(), CLAIMS.len(), "{remedy}");
     assert!(text.contains(&refuted()) && text.contains(&broken()), "{remedy}");
     Ok(())
 }
