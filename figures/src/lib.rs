@@ -36,7 +36,9 @@ mod tool_path;
 pub use chart::{Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, draw_chart};
 pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
 pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
-pub use courses::{CourseLaw, CourseStudy, NamedCourse, draw_courses};
+pub use courses::{
+    CourseLaw, CourseStudy, ModelErrorOfLaw, ModelErrorStudy, NamedCourse, draw_courses, draw_model_error,
+};
 pub use error::FigureError;
 pub use escape_times::{EscapeStudy, EscapeVariant, draw_escape_times};
 pub use look_ahead::{LookAheadPoint, LookAheadStudy, draw_look_ahead};

@@ -8,7 +8,7 @@ use crate::panel::{Frame, Panel};
 use crate::polyline::Point;
 use crate::render::{Figure, Rendered, make_directory, render};
 use crate::scale::{Axis, largest, significant};
-use crate::style::{REFERENCE, Stroke, label, stroke};
+use crate::style::label;
 use plotters::backend::DrawingBackend;
 use std::path::Path;
 
@@ -56,13 +56,6 @@ pub fn draw_mean_speed(study: &MeanSpeedStudy, dir: &Path) -> Result<Rendered, F
 struct MeanSpeed<'a>(&'a MeanSpeedStudy<'a>);
 
 impl MeanSpeedLine {
-    fn stroke(&self) -> Stroke {
-        match self.law {
-            CourseLaw::Optimum => REFERENCE,
-            CourseLaw::Method(method) => stroke(method),
-        }
-    }
-
     /// Mean speed over peak joint speed, at the last limit, m/rad.
     fn slope(&self) -> f64 {
         self.points.last().map_or(f64::NAN, |p| p.1 / p.0)
@@ -95,7 +88,7 @@ impl Figure for MeanSpeed<'_> {
             } else {
                 String::new()
             },
-            legend: self.0.lines.iter().map(|line| entry(&name(line), line.stroke())).collect(),
+            legend: self.0.lines.iter().map(|line| entry(&name(line), line.law.stroke())).collect(),
         }
     }
 
@@ -110,8 +103,8 @@ impl Figure for MeanSpeed<'_> {
         let panel = Panel::new(canvas, &Frame::LABELLED, x, y)?;
         for line in self.0.lines {
             let points: Vec<Point> = line.points.clone();
-            panel.path(&points, &line.stroke())?;
-            points.iter().try_for_each(|p| panel.marker(*p, &line.stroke()))?;
+            panel.path(&points, &line.law.stroke())?;
+            points.iter().try_for_each(|p| panel.marker(*p, &line.law.stroke()))?;
         }
         Ok(())
     }

@@ -1,8 +1,10 @@
 //! Figures of several laws on one path.
 
 use slideway_figures::{
-    CourseLaw, CourseStudy, FigureError, MeanSpeedLine, MeanSpeedStudy, NamedCourse, draw_courses, draw_mean_speed,
+    CourseLaw, CourseStudy, FigureError, MeanSpeedLine, MeanSpeedStudy, ModelErrorOfLaw, ModelErrorStudy, NamedCourse,
+    draw_courses, draw_mean_speed, draw_model_error,
 };
+use slideway_lab::natural::{ModelErrorRun, ModelErrorSample};
 use slideway_lab::{Course, CourseSample, Method};
 
 /// A joint that speeds up and slows down, with or without a torque.
@@ -13,7 +15,7 @@ fn course(torque: Option<f64>) -> Course {
         let torque = torque.map(|t| speed.map(|v| t * v));
         CourseSample { t: lambda, dt: 0.01, lambda, path_rate: 1.0 + lambda, speed, acceleration: speed, torque }
     };
-    Course { joints: 1, path: 0.0..6.0, settled_s: 0.0, samples: (0..600).map(sample).collect() }
+    Course { joints: 1, path: 0.0..6.0, settled_s: 0.0, start: [0.0; 7], samples: (0..600).map(sample).collect() }
 }
 
 fn courses(torque: Option<f64>) -> Vec<NamedCourse> {
@@ -56,5 +58,32 @@ fn mean_speeds_are_drawn_with_their_share_of_the_optimum() -> Result<(), FigureE
     let bad = [MeanSpeedLine { law: CourseLaw::Optimum, points: vec![(1.0, 1.0), (2.0, f64::NAN)] }];
     let refused = draw_mean_speed(&MeanSpeedStudy { title: "test", lines: &bad }, dir.path());
     assert!(matches!(refused, Err(FigureError::Value { index: 1, .. })));
+    Ok(())
+}
+
+#[test]
+fn errors_of_a_wrong_model_are_drawn_with_both_peaks_in_millimetres() -> Result<(), FigureError> {
+    let dir = tempfile::tempdir().expect("folder");
+    let run = |peak: f64| ModelErrorRun {
+        samples: [0.0, 0.5, 1.0].map(|t| ModelErrorSample { t, lambda: t, distance: t * peak }).to_vec(),
+    };
+    let law = CourseLaw::Method(Method::NaturalMotion);
+    let mut laws = [ModelErrorOfLaw { law, at_limits: run(0.01), in_equal_time: run(0.002) }];
+    let figure = draw_model_error(&ModelErrorStudy { title: "test", share: 0.1, laws: &laws }, dir.path())?;
+    assert!(figure.svg.contains("natural motion (10.0; 2.00 mm)"));
+    assert!(figure.caption.contains("10 %"));
+    laws[0].at_limits.samples[1].distance = f64::NAN;
+    let refused = draw_model_error(&ModelErrorStudy { title: "test", share: 0.1, laws: &laws }, dir.path());
+    assert!(matches!(refused, Err(FigureError::Value { index: 1, .. })));
+    Ok(())
+}
+
+#[test]
+fn without_any_error_the_figure_is_still_drawn() -> Result<(), FigureError> {
+    let dir = tempfile::tempdir().expect("folder");
+    let still = ModelErrorRun { samples: vec![ModelErrorSample { t: 0.0, lambda: 0.0, distance: 0.0 }; 2] };
+    let laws = [ModelErrorOfLaw { law: CourseLaw::Optimum, at_limits: still.clone(), in_equal_time: still }];
+    let figure = draw_model_error(&ModelErrorStudy { title: "test", share: 0.1, laws: &laws }, dir.path())?;
+    assert!(figure.svg.contains("optimum (0; 0 mm)"));
     Ok(())
 }

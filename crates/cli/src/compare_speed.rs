@@ -1,6 +1,6 @@
 use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::diagnostic::CliError;
-use crate::laws;
+use crate::laws::{self, ModelErrorEntry};
 use crate::loaded::scenario_error;
 use crate::output::{as_json, create, progress, write_summary};
 use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
@@ -9,8 +9,10 @@ use crate::windows::{WindowEntry, windows};
 use crate::{report, table};
 use indicatif::ProgressBar;
 use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
-use slideway_figures::{LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
-use slideway_lab::{Course, Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use slideway_figures::{
+    LookAheadStudy, ModelErrorOfLaw, NamedCourse, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study,
+};
+use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
 use std::path::Path;
 
 /// Samples between grid points at which violations are looked for.
@@ -39,10 +41,13 @@ pub(crate) fn compare_speed(
     let course = laws::optimum_course(&experiment, &solved.optimum).map_err(pointed)?;
     summary.optimum_effort = course.effort();
     summary.scaled_limits = laws::sweep_limits(&experiment, &path).map_err(pointed)?;
+    let courses = laws::courses(&experiment, &traces, &course);
+    let model_errors = laws::model_errors(&experiment, &courses).map_err(pointed)?;
+    summary.model_error = model_errors.iter().map(ModelErrorEntry::from).collect();
     progress.inc(1);
 
     progress.set_message("writing traces and figures");
-    write(out, &study, &traces, &solved.optimum, &course, &summary)?;
+    write(out, &study, &traces, &solved.optimum, &Laws { courses: &courses, model_errors: &model_errors }, &summary)?;
     progress.finish_and_clear();
     Ok(Compared {
         holds: summary.verdict.holds,
@@ -87,6 +92,12 @@ struct Study<'a> {
     judged: Method,
 }
 
+/// What the figures of the laws are drawn from.
+struct Laws<'a> {
+    courses: &'a [NamedCourse],
+    model_errors: &'a [ModelErrorOfLaw],
+}
+
 fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f64) -> Result<Summary, CliError> {
     let Study { scenario, experiment, path, finer, judged } = study;
     let closed_form = path.speed_limited_time();
@@ -111,6 +122,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         optimum_speed_only: speed_only,
         optimum_effort: None,
         scaled_limits: Vec::new(),
+        model_error: Vec::new(),
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         spare_joints: experiment.spare_joints(),
         position_excesses,
@@ -124,7 +136,7 @@ fn write(
     study: &Study<'_>,
     traces: &[Trace],
     optimum: &TimeOptimum,
-    course: &Course,
+    laws: &Laws<'_>,
     summary: &Summary,
 ) -> Result<(), CliError> {
     let Study { scenario, experiment, path, .. } = study;
@@ -150,7 +162,7 @@ fn write(
         figures.push(draw_look_ahead(&LookAheadStudy { title: scenario.name(), points: &points }, &figures_dir)?);
     }
     let sweep = &summary.scaled_limits;
-    figures.extend(laws::figures(scenario.name(), experiment, traces, course, path, sweep, &figures_dir)?);
+    figures.extend(laws::figures(scenario.name(), laws.courses, laws.model_errors, path, sweep, &figures_dir)?);
     create(out.join("report.html"), |file| file.write_all(report::render_speed(summary, scenario, &figures).as_bytes()))
 }
 

@@ -4,7 +4,8 @@ use crate::diagnostic::CliError;
 use serde::Serialize;
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_figures::{
-    CourseLaw, CourseStudy, MeanSpeedLine, MeanSpeedStudy, NamedCourse, Rendered, draw_courses, draw_mean_speed,
+    CourseLaw, CourseStudy, MeanSpeedLine, MeanSpeedStudy, ModelErrorOfLaw, ModelErrorStudy, NamedCourse, Rendered,
+    draw_courses, draw_mean_speed, draw_model_error,
 };
 use slideway_lab::{Course, Experiment, LabError, Method, MethodSummary, ProfilePoint, SampledPath, Trace};
 use std::path::Path;
@@ -15,6 +16,9 @@ const DRAWN: [Method; 3] = [Method::ConstantSpeed, Method::NaturalMotion, Method
 
 /// What the scenario's speed limits are multiplied by for the summary figure.
 const SHARES: [f64; 5] = [0.4, 0.7, 1.0, 1.5, 2.0];
+
+/// Share by which the controller misjudges the links' masses, as in `[N] Fig. 3`.
+const MASS_ERROR: f64 = 0.1;
 
 /// Points of the tool path whose chords make its length.
 const CHORDS: usize = 4000;
@@ -37,6 +41,17 @@ pub(crate) struct ScaledLimits {
 pub(crate) struct MethodSpeed {
     pub(crate) method: Method,
     pub(crate) m_per_s: f64,
+}
+
+/// What a model with masses wrong by 10 % costs a law.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct ModelErrorEntry {
+    /// The method, or `optimum`.
+    pub(crate) law: &'static str,
+    /// Largest distance of the tool from where the law has it, as fast as the limits allow, m.
+    pub(crate) peak_error_m: f64,
+    /// The same in the time that the slowest law takes, m.
+    pub(crate) peak_error_in_equal_time_m: f64,
 }
 
 /// Whether the scenario asks for constant speed and natural motion beside the others.
@@ -83,28 +98,64 @@ pub(crate) fn sweep_limits(experiment: &Experiment, path: &SampledPath) -> Resul
     SHARES.into_iter().map(entry).collect()
 }
 
-/// The figures of the laws; none unless the scenario asks for them.
-pub(crate) fn figures(
-    title: &str,
-    experiment: &Experiment,
-    traces: &[Trace],
-    optimum: &Course,
-    path: &SampledPath,
-    sweep: &[ScaledLimits],
-    dir: &Path,
-) -> Result<Vec<Rendered>, CliError> {
+/// The laws' courses, the optimum's first; none unless the scenario asks for the laws of `[N]`.
+pub(crate) fn courses(experiment: &Experiment, traces: &[Trace], optimum: &Course) -> Vec<NamedCourse> {
     if !asked_for(experiment) {
-        return Ok(Vec::new());
+        return Vec::new();
     }
     let mut courses = vec![NamedCourse { law: CourseLaw::Optimum, course: optimum.clone() }];
     for trace in traces.iter().filter(|t| DRAWN.contains(&t.method) && t.finish_s.is_some()) {
         courses.push(NamedCourse { law: CourseLaw::Method(trace.method), course: experiment.course(trace) });
     }
+    courses
+}
+
+/// What a wrong model costs each law that computed torque can follow; nothing where the masses are unknown.
+pub(crate) fn model_errors(experiment: &Experiment, courses: &[NamedCourse]) -> Result<Vec<ModelErrorOfLaw>, LabError> {
+    let longest = courses.iter().map(|c| c.course.seconds()).fold(0.0, f64::max);
+    let mut errors = Vec::new();
+    for NamedCourse { law, course } in courses {
+        let at_limits = experiment.follow_with_wrong_masses(course, MASS_ERROR)?;
+        let in_equal_time = experiment.follow_with_wrong_masses(&course.in_time(longest), MASS_ERROR)?;
+        if let (Some(at_limits), Some(in_equal_time)) = (at_limits, in_equal_time) {
+            errors.push(ModelErrorOfLaw { law: *law, at_limits, in_equal_time });
+        }
+    }
+    Ok(errors)
+}
+
+impl From<&ModelErrorOfLaw> for ModelErrorEntry {
+    fn from(error: &ModelErrorOfLaw) -> Self {
+        let law = match error.law {
+            CourseLaw::Optimum => "optimum",
+            CourseLaw::Method(method) => method.name(),
+        };
+        let (peak_error_m, peak_error_in_equal_time_m) = (error.at_limits.peak(), error.in_equal_time.peak());
+        Self { law, peak_error_m, peak_error_in_equal_time_m }
+    }
+}
+
+/// The figures of the laws; none unless the scenario asks for them.
+pub(crate) fn figures(
+    title: &str,
+    courses: &[NamedCourse],
+    model_errors: &[ModelErrorOfLaw],
+    path: &SampledPath,
+    sweep: &[ScaledLimits],
+    dir: &Path,
+) -> Result<Vec<Rendered>, CliError> {
+    if courses.is_empty() {
+        return Ok(Vec::new());
+    }
     let (speed_lower, speed_upper) = (&path.speed_lower, &path.speed_upper);
-    let mut rendered = draw_courses(&CourseStudy { title, courses: &courses, speed_lower, speed_upper }, dir)?;
+    let mut rendered = draw_courses(&CourseStudy { title, courses, speed_lower, speed_upper }, dir)?;
     let lines = lines(sweep);
     if lines.len() > 1 {
         rendered.insert(0, draw_mean_speed(&MeanSpeedStudy { title, lines: &lines }, dir)?);
+    }
+    if !model_errors.is_empty() {
+        let study = ModelErrorStudy { title, share: MASS_ERROR, laws: model_errors };
+        rendered.push(draw_model_error(&study, dir)?);
     }
     Ok(rendered)
 }

@@ -1,4 +1,4 @@
-use crate::laws::ScaledLimits;
+use crate::laws::{ModelErrorEntry, ScaledLimits};
 use crate::verdict::Verdict;
 use crate::windows::WindowEntry;
 use serde::Serialize;
@@ -24,6 +24,8 @@ pub(crate) struct Summary {
     pub(crate) optimum_effort: Option<Effort>,
     /// Mean speeds under other joint-speed limits; empty unless the scenario has a `[natural]` table.
     pub(crate) scaled_limits: Vec<ScaledLimits>,
+    /// What a controller with wrong masses does to each law; empty unless the scenario has a `[natural]` table and the robot masses.
+    pub(crate) model_error: Vec<ModelErrorEntry>,
     /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
     pub(crate) limit_ratio_bound: Option<f64>,
     /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).

@@ -11,6 +11,8 @@ pub struct Course {
     pub path: Range<f64>,
     /// When a regulated method, which starts from rest, first reaches a limit, s; 0 for what starts at full speed.
     pub settled_s: f64,
+    /// Joint position where the first interval begins, rad (m).
+    pub start: [f64; MAX_JOINTS],
     /// The intervals, in order.
     pub samples: Vec<CourseSample>,
 }
@@ -66,6 +68,29 @@ impl Course {
     /// The samples from the moment when the run has reached a limit.
     pub fn under_way(&self) -> impl Iterator<Item = &CourseSample> {
         self.samples.iter().filter(|s| s.t >= self.settled_s)
+    }
+
+    /// How long it takes, s.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        self.samples.iter().map(|s| s.dt).sum()
+    }
+
+    /// The same motion in another time, s: speeds go with its inverse, accelerations with the inverse's square. Torques are
+    /// left out: gravity's part does not scale.
+    #[must_use]
+    pub fn in_time(&self, seconds: f64) -> Self {
+        let by = self.seconds() / seconds;
+        let scaled = |s: &CourseSample| CourseSample {
+            t: s.t / by,
+            dt: s.dt / by,
+            lambda: s.lambda,
+            path_rate: s.path_rate * by,
+            speed: s.speed.map(|v| v * by),
+            acceleration: s.acceleration.map(|a| a * by * by),
+            torque: None,
+        };
+        Self { settled_s: self.settled_s / by, samples: self.samples.iter().map(scaled).collect(), ..self.clone() }
     }
 
     /// The effort; `None` where the run never gets under way.

@@ -5,7 +5,7 @@ use crate::joint_path::JointPath;
 use crate::law::Method;
 use crate::limit_use::LimitUse;
 use crate::motion::{course_along, course_of};
-use crate::natural::NaturalLaws;
+use crate::natural::{ModelErrorRun, NaturalLaws, WrongModel};
 use crate::position_limits::PositionExcess;
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
 use crate::reference::Reference;
@@ -55,6 +55,7 @@ trait AnyJoints {
     fn scale_speed_limits(&mut self, by: f64) -> Result<(), LabError>;
     fn course(&self, trace: &Trace) -> Course;
     fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError>;
+    fn follow_with_wrong_masses(&self, course: &Course, share: f64) -> Result<Option<ModelErrorRun>, LabError>;
     fn path_length(&self) -> f64;
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError>;
     fn run_seeing(&self, options: LookAheadOptions, shortest_time: f64) -> Result<Trace, LabError>;
@@ -149,6 +150,20 @@ impl Experiment {
     /// The inverse kinematics fails at a place it passed while tracing.
     pub fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError> {
         self.any().course_along(profile)
+    }
+
+    /// Lets the arm follow a course by computed torque in joint space (both poles at -10 1/s) with a model in which the links'
+    /// masses and moments of inertia are wrong by `share` and `-share`, by turns from the base, after `[N] Fig. 3`.
+    ///
+    /// With `share` 0 the tool stays where the course has it, to rounding. What is measured is the model's part alone: the
+    /// course's own distance from the path is no part of it. `None` where the masses are unknown, and where the course's
+    /// joint speed jumps (at a corner), which no torque does.
+    ///
+    /// # Errors
+    ///
+    /// A share of 1 or more, which leaves links without a mass; [`LabError::NoFiniteSpeed`] if the loop diverges.
+    pub fn follow_with_wrong_masses(&self, course: &Course, share: f64) -> Result<Option<ModelErrorRun>, LabError> {
+        self.any().follow_with_wrong_masses(course, share)
     }
 
     /// The method that the verdict is about: the scenario's choice, else the look-ahead where it can be run, which keeps
@@ -283,6 +298,10 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError> {
         course_along(&self.problem, self.dynamics.as_ref(), &self.path, profile)
+    }
+
+    fn follow_with_wrong_masses(&self, course: &Course, share: f64) -> Result<Option<ModelErrorRun>, LabError> {
+        self.dynamics.as_ref().map_or(Ok(None), |arm| WrongModel::new(arm, share)?.follow(course))
     }
 
     fn run(&self, method: Method, shortest_time: f64) -> Result<Trace, LabError> {

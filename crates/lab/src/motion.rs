@@ -2,6 +2,7 @@ use crate::course::{Course, CourseSample, ProfilePoint};
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::problem::Problem;
+use crate::robot::MAX_JOINTS;
 use crate::simulate::pad;
 use crate::trace::{Sample, Trace};
 use slideway_robot::{Dynamics, JointVector};
@@ -53,6 +54,7 @@ pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&
         joints: N,
         path: problem.path.start()..problem.path.end(),
         settled_s: settled.map_or(0.0, |s| s.t),
+        start: moments.first().map_or([0.0; MAX_JOINTS], |m| pad(&m.q)),
         samples: moments.windows(2).map(|w| w[0].on_to(&w[1], dynamics)).collect(),
     }
 }
@@ -65,6 +67,7 @@ pub(crate) fn course_along<const N: usize>(
     profile: &[ProfilePoint],
 ) -> Result<Course, LabError> {
     let mut samples = Vec::new();
+    let mut start = None;
     for pair in profile.windows(2).filter(|w| w[0].piece == w[1].piece && w[0].t < w[1].t) {
         let Some(piece) = path.pieces().get(pair[0].piece) else { continue };
         let moment = |point: &ProfilePoint| -> Result<Moment<N>, LabError> {
@@ -72,8 +75,16 @@ pub(crate) fn course_along<const N: usize>(
             Ok(Moment { t: point.t, lambda: at.lambda, q: at.q, speed: at.first * point.rate })
         };
         if pair.iter().all(|p| p.rate.is_finite()) {
-            samples.push(moment(&pair[0])?.on_to(&moment(&pair[1])?, dynamics));
+            let from = moment(&pair[0])?;
+            start = start.or(Some(pad(&from.q)));
+            samples.push(from.on_to(&moment(&pair[1])?, dynamics));
         }
     }
-    Ok(Course { joints: N, path: problem.path.start()..problem.path.end(), settled_s: 0.0, samples })
+    Ok(Course {
+        joints: N,
+        path: problem.path.start()..problem.path.end(),
+        settled_s: 0.0,
+        start: start.unwrap_or([0.0; MAX_JOINTS]),
+        samples,
+    })
 }

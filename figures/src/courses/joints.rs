@@ -91,7 +91,7 @@ fn share_at_limit(study: &CourseStudy, named: &NamedCourse) -> f64 {
     let limits = || study.speed_lower.iter().zip(study.speed_upper);
     let is_at =
         |s: &&CourseSample| s.speed.iter().zip(limits()).any(|(v, (lower, upper))| (v / upper).max(v / lower) >= 0.99);
-    named.course.samples.iter().filter(is_at).map(|s| s.dt).sum::<f64>() / named.seconds()
+    named.course.samples.iter().filter(is_at).map(|s| s.dt).sum::<f64>() / named.course.seconds()
 }
 
 /// Range of a panel: all of what happens once a law is under way.
@@ -121,7 +121,7 @@ fn draw<DB: DrawingBackend>(
             panel.level(level, &LIMIT)?;
         }
         for named in study.courses {
-            let full = named.stroke();
+            let full = named.law.stroke();
             // Small panels want thinner lines.
             panel.curve(&named.points(|s| value(s, joint)), &Stroke { width: 0.75 * full.width, ..full })?;
         }

@@ -1,7 +1,10 @@
 //! Several laws on one path against the path parameter: the quantities of `[N]` Figs. 2, 3 and 5, the optimum among them.
 
 mod joints;
+mod model_error;
 mod path_speed;
+
+pub use model_error::{ModelErrorOfLaw, ModelErrorStudy, draw_model_error};
 
 use crate::canvas::Entry;
 use crate::error::FigureError;
@@ -84,33 +87,30 @@ fn is_finite(sample: &CourseSample) -> bool {
     [sample.t, sample.lambda, sample.path_rate].iter().chain(lists.into_iter().flatten()).all(|v| v.is_finite())
 }
 
+impl CourseLaw {
+    pub(crate) fn stroke(self) -> Stroke {
+        match self {
+            Self::Optimum => REFERENCE,
+            Self::Method(method) => stroke(method),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Optimum => "optimum",
+            Self::Method(Method::SlidingModeImplicit) => "sliding mode (implicit)",
+            Self::Method(method) => label(method),
+        }
+    }
+}
+
 impl NamedCourse {
-    fn stroke(&self) -> Stroke {
-        match self.law {
-            CourseLaw::Optimum => REFERENCE,
-            CourseLaw::Method(method) => stroke(method),
-        }
-    }
-
-    fn name(&self) -> &'static str {
-        match self.law {
-            CourseLaw::Optimum => "optimum",
-            CourseLaw::Method(Method::SlidingModeImplicit) => "sliding mode (implicit)",
-            CourseLaw::Method(method) => label(method),
-        }
-    }
-
     fn points(&self, value: impl Fn(&CourseSample) -> f64) -> Vec<Point> {
         self.course.samples.iter().map(|s| (s.lambda, value(s))).collect()
-    }
-
-    /// How long it takes, s.
-    fn seconds(&self) -> f64 {
-        self.course.samples.iter().map(|s| s.dt).sum()
     }
 }
 
 /// A legend of all courses, each with a value in brackets.
 fn legend(study: &CourseStudy, value: impl Fn(&NamedCourse) -> String) -> Vec<Entry> {
-    study.courses.iter().map(|c| entry(&format!("{} ({})", c.name(), value(c)), c.stroke())).collect()
+    study.courses.iter().map(|c| entry(&format!("{} ({})", c.law.name(), value(c)), c.law.stroke())).collect()
 }

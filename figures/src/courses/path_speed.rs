@@ -25,7 +25,7 @@ impl Figure for PathSpeed<'_> {
         Header {
             heading: format!("Speed along the path – {}", self.0.title),
             message: "In brackets: time on the path.".into(),
-            legend: legend(self.0, |c| format!("{} s", significant(c.seconds(), 4))),
+            legend: legend(self.0, |c| format!("{} s", significant(c.course.seconds(), 4))),
         }
     }
 
@@ -38,6 +38,6 @@ impl Figure for PathSpeed<'_> {
         let x = Axis::linear("path parameter λ", span(samples().map(|s| s.lambda)), 8);
         let top = 1.06 * largest(samples().map(|s| s.path_rate));
         let panel = Panel::new(canvas, &Frame::LABELLED, x, Axis::linear("dλ/dt (1/s)", 0.0..top, 6))?;
-        self.0.courses.iter().try_for_each(|c| panel.curve(&c.points(|s| s.path_rate), &c.stroke()))
+        self.0.courses.iter().try_for_each(|c| panel.curve(&c.points(|s| s.path_rate), &c.law.stroke()))
     }
 }
