@@ -62,6 +62,7 @@ fn on_the_limbs_circle_natural_motion_lies_between_constant_speed_and_the_slidin
     assert!(close(torque("constant-speed"), 5.31, 0.003), "{}", torque("constant-speed"));
     assert!(torque("natural-motion") > torque("constant-speed"));
     assert!(number(&summary["optimum_effort"]["peak_torque"]) > torque("natural-motion"));
+    assert_model_errors(&summary);
     // One law, proportional to the limit.
     for entry in summary["scaled_limits"].as_array().expect("limits") {
         let speed = |m: &Value| number(&m["m_per_s"]);
@@ -73,10 +74,29 @@ fn on_the_limbs_circle_natural_motion_lies_between_constant_speed_and_the_slidin
     }
 }
 
+/// What is faster gives a wrong model more to miss; in equal time natural motion gives it least, as in `[N] Fig. 3`, and
+/// constant speed most.
+fn assert_model_errors(summary: &Value) {
+    let of = |law: &str, key: &str| {
+        let entries = summary["model_error"].as_array().expect("errors");
+        number(&entries.iter().find(|e| e["law"] == law).expect("the law")[key])
+    };
+    let laws = ["constant-speed", "natural-motion", "sliding-mode-implicit", "optimum"];
+    let [constant, natural, sliding, optimum] = laws.map(|law| of(law, "peak_error_m"));
+    assert!(constant < natural && natural < sliding && natural < optimum);
+    // The sliding mode runs the optimum's motion but for its start: measured 28.9 mm beside 29.5 mm.
+    assert!(close(sliding, optimum, 0.05), "{sliding} {optimum}");
+    let [slowest, natural, sliding, optimum] = laws.map(|law| of(law, "peak_error_in_equal_time_m"));
+    // The slowest is its own measure.
+    assert!(close(slowest, constant, 1e-6));
+    assert!(natural < sliding && natural < optimum && sliding < slowest && optimum < slowest);
+}
+
 #[test]
 fn on_the_pa10s_circle_natural_motion_lies_between_constant_speed_and_the_sliding_mode() {
     let summary = assert_comparison("natural-pa10", 0.803, [4.635, 7.507, 22.88]);
-    // Without published masses there is no torque.
+    // Without published masses there is no torque and no model to be wrong.
+    assert_eq!(summary["model_error"].as_array().expect("a list").len(), 0);
     assert!(method(&summary, "natural-motion")["effort"]["peak_torque"].is_null());
 }
 

@@ -10,7 +10,10 @@ pub(super) const SHOWN: [(&str, &[&str]); 5] = [
     ("puma-helix", &["path-rate", "joint-speeds"]),
     ("puma-wrist-singularity", &["path-rate-time"]),
     ("helix-plane-sphere", &["conditioned-path", "push"]),
-    ("natural-2r", &["laws-mean-speed", "laws-path-speed", "laws-joint-speeds", "laws-joint-torques"]),
+    (
+        "natural-2r",
+        &["laws-mean-speed", "laws-path-speed", "laws-joint-speeds", "laws-joint-torques", "laws-model-error"],
+    ),
     ("natural-pa10", &["laws-mean-speed", "laws-path-speed", "laws-joint-speeds"]),
 ];
 
