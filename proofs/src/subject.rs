@@ -174,8 +174,10 @@ impl<const N: usize> Regulator<N> {
         SpeedCommand { limit_ratio: command.limit_ratio, ..blind }
     }
 
+    // `max` first: it turns NaN into 0, where `clamp` would keep it.
+    #[allow(clippy::manual_clamp)]
     fn put(&mut self, factor: f64) {
-        if let Ok(state) = SpeedState::moving(factor.clamp(0.0, 1.0)) {
+        if let Ok(state) = SpeedState::moving(factor.max(0.0).min(1.0)) {
             self.state = state;
         }
     }

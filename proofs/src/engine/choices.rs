@@ -35,7 +35,7 @@ impl Choices {
         let fresh = self.random.unit();
         let wanted = self.given.get(self.used.len()).copied().unwrap_or(fresh);
         // `max` first: it turns NaN into 0.
-        let unit = wanted.clamp(0.0, 1.0 - f64::EPSILON);
+        let unit = wanted.max(0.0).min(1.0 - f64::EPSILON);
         self.used.push(unit);
         unit
     }
