@@ -62,7 +62,12 @@ pub const CLAIM: Claim = Claim {
     ],
 };
 
-fn regulator(speed: f64, limits: [f64; 2], recovery: Recovery) -> Result<AccelerationRegulator<1>, ParameterError> {
+/// One joint with a speed limit (rad/s) and limits of deceleration and acceleration (rad/s²).
+///
+/// # Errors
+///
+/// Numbers that the regulator refuses.
+pub fn regulator(speed: f64, limits: [f64; 2], recovery: Recovery) -> Result<AccelerationRegulator<1>, ParameterError> {
     let [deceleration, acceleration] = limits;
     AccelerationRegulator::new(AccelerationSettings {
         speed_limits: SpeedLimits::symmetric([speed])?,

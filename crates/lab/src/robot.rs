@@ -1,6 +1,6 @@
 use crate::error::{Fault, LabError};
-use crate::scenario::Scenario;
 use crate::scenario::schema::{DhTable, ModelName, RobotTable};
+use crate::scenario::{Scenario, from_toml};
 use serde::Deserialize;
 use slideway_robot::models::Model;
 use slideway_robot::{ChainEnds, DhRow, RobotDescription};
@@ -26,8 +26,7 @@ struct RobotText {
 ///
 /// No robot or several, a file that gives none, or a number of joints that is not supported.
 pub fn robot_in(text: &str, folder: &Path) -> Result<RobotDescription, LabError> {
-    let file: RobotText = toml::from_str(text)
-        .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
+    let file: RobotText = from_toml(text)?;
     describe_table(&file.robot, folder)
 }
 

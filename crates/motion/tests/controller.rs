@@ -1,30 +1,15 @@
 //! The controller under any sequence of inputs.
 
+#[path = "support/inputs.rs"]
+mod inputs;
+
+use inputs::inputs;
 use proptest::prelude::*;
 use slideway_motion::supervisor::{Fault, Inputs, Mode};
 use slideway_motion::{
     ArmController, AxisLimits, ControllerSettings, Interpolation, JointState, MotionLimits, MotionQueue,
 };
 use slideway_robot::JointVector;
-
-/// All inputs.
-fn inputs() -> Vec<Inputs> {
-    let faults = Fault::ALL.into_iter().map(Some).chain([None]);
-    faults
-        .flat_map(|fault| {
-            (0..128_u32).map(move |bits| Inputs {
-                fault,
-                brake_fully: bits & 1 != 0,
-                brake_on_path: bits & 2 != 0,
-                discard: bits & 4 != 0,
-                resume: bits & 8 != 0,
-                start: bits & 16 != 0,
-                reset: bits & 32 != 0,
-                recover: bits & 64 != 0,
-            })
-        })
-        .collect()
-}
 
 const V: f64 = 1.5;
 const A: f64 = 4.0;

@@ -1,28 +1,11 @@
 //! The supervisor, by trying everything.
 
-use slideway_motion::supervisor::{
-    AfterBrake, Fault, Inputs, Mode, QueueState, SegmentKind, Signals, Supervisor, diagram,
-};
-use std::collections::{HashMap, HashSet, VecDeque};
+#[path = "support/inputs.rs"]
+mod inputs;
 
-/// All inputs.
-fn inputs() -> Vec<Inputs> {
-    let faults = Fault::ALL.into_iter().map(Some).chain([None]);
-    faults
-        .flat_map(|fault| {
-            (0..128_u32).map(move |bits| Inputs {
-                fault,
-                brake_fully: bits & 1 != 0,
-                brake_on_path: bits & 2 != 0,
-                discard: bits & 4 != 0,
-                resume: bits & 8 != 0,
-                start: bits & 16 != 0,
-                reset: bits & 32 != 0,
-                recover: bits & 64 != 0,
-            })
-        })
-        .collect()
-}
+use inputs::inputs;
+use slideway_motion::supervisor::{AfterBrake, Inputs, Mode, QueueState, SegmentKind, Signals, Supervisor, diagram};
+use std::collections::{HashMap, HashSet, VecDeque};
 
 /// The arm as the supervisor knows it: its queue, how fast it moves (0 to 2), and how long it has braked on the path.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

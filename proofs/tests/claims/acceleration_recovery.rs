@@ -1,26 +1,12 @@
-use slideway_conditioner::acceleration::{
-    AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, Recovery,
-};
-use slideway_conditioner::{AffineSpeed, ParameterError, SpeedLimits};
-use slideway_proofs::acceleration_recovery::CLAIM;
+use slideway_conditioner::acceleration::{AccelerationState, Recovery};
+use slideway_conditioner::{AffineSpeed, SpeedLimits};
+use slideway_proofs::acceleration_recovery::{CLAIM, regulator};
 
 use crate::support::{Outcome, TS, counterexample, holds, proven};
 
 #[test]
 fn negation_has_no_model() -> Outcome {
     proven(&CLAIM)
-}
-
-fn regulator(speed: f64, limits: [f64; 2], recovery: Recovery) -> Result<AccelerationRegulator<1>, ParameterError> {
-    let [deceleration, acceleration] = limits;
-    AccelerationRegulator::new(AccelerationSettings {
-        speed_limits: SpeedLimits::symmetric([speed])?,
-        acceleration_limits: AccelerationLimits::new([-deceleration], [acceleration])?,
-        sampling_period: TS,
-        bandwidth: 1.0,
-        target_rate: 1.0,
-        recovery,
-    })
 }
 
 /// The error after one sample of `Kp Ts = 1` from the previous command `p = Kp e_before`.

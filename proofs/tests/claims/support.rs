@@ -4,9 +4,7 @@ use std::error::Error;
 
 use proptest::prelude::{BoxedStrategy, ProptestConfig, Strategy};
 use proptest::test_runner::{TestCaseError, TestRunner};
-use slideway_conditioner::{
-    Advance, FirstOrderFilter, ParameterError, Saturation, SpeedLimits, SpeedRegulator, SpeedSettings,
-};
+use slideway_conditioner::{FirstOrderFilter, ParameterError, SpeedLimits, SpeedRegulator};
 use slideway_proofs::Claim;
 use slideway_proofs::engine::{Choices, Cost};
 use slideway_proofs::subject::Subject;
@@ -14,11 +12,7 @@ use slideway_proofs::z3::{self, Answer, Model};
 
 pub(crate) type Outcome = Result<(), Box<dyn Error>>;
 
-/// Sampling period, s. A power of two, so that `(a / TS) * TS` gives back `a` to the last bit.
-pub(crate) const TS: f64 = 1.0 / 1024.0;
-
-/// Unit roundoff of round-to-nearest doubles, 2^-53.
-pub(crate) const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+pub(crate) use slideway_proofs::draw::{ROUNDOFF, TS, settings};
 
 pub(crate) fn config() -> ProptestConfig {
     ProptestConfig {
@@ -75,17 +69,6 @@ pub(crate) fn counterexample(claim: &Claim, without: &str) -> Result<Model, Box<
 
 pub(crate) fn filter(step: f64) -> Result<FirstOrderFilter, ParameterError> {
     FirstOrderFilter::new(step / TS, TS)
-}
-
-pub(crate) fn settings<const N: usize>(limits: SpeedLimits<N>, step: f64, target_rate: f64) -> SpeedSettings<N> {
-    SpeedSettings {
-        limits,
-        sampling_period: TS,
-        bandwidth: step / TS,
-        target_rate,
-        saturation: Saturation::DirectionPreserving,
-        advance: Advance::Paper,
-    }
 }
 
 /// One joint with the limits -1 and 1.

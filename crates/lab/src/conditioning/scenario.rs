@@ -2,6 +2,7 @@ use super::problem::ConditioningProblem;
 use super::schema::ConditioningFile;
 use crate::Expectation;
 use crate::error::LabError;
+use crate::scenario::from_toml;
 use std::path::{Path, PathBuf};
 
 /// The scenario of a path-conditioning study: its text and what the text says.
@@ -20,8 +21,7 @@ impl ConditioningScenario {
     ///
     /// Bad TOML, an unknown or missing key, a value of the wrong kind.
     pub fn parse(name: &str, text: &str) -> Result<Self, LabError> {
-        let file = toml::from_str(text)
-            .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
+        let file = from_toml(text)?;
         Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
     }
 

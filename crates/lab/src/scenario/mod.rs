@@ -8,6 +8,7 @@ use crate::error::{Fault, LabError};
 use crate::law::Method;
 pub use schema::Expectation;
 use schema::ScenarioFile;
+use serde::de::DeserializeOwned;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -110,8 +111,7 @@ impl Scenario {
     /// Bad TOML, an unknown or missing key, a value of the wrong kind. What the values mean is checked when a problem is
     /// made from the scenario.
     pub fn parse(name: &str, text: &str) -> Result<Self, LabError> {
-        let file = toml::from_str(text)
-            .map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })?;
+        let file = from_toml(text)?;
         Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
     }
 
@@ -190,6 +190,11 @@ impl Scenario {
     pub fn grid_points(&self) -> usize {
         self.file.optimum.grid_points.unwrap_or(1000) as usize
     }
+}
+
+/// Reads what a TOML text says.
+pub(crate) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, LabError> {
+    toml::from_str(text).map_err(|error| LabError::Syntax { message: error.message().to_owned(), span: error.span() })
 }
 
 /// Where an error lies in a text, as a range of bytes: the value at its key, or the nearest table around it.
