@@ -63,29 +63,27 @@ pub(super) enum Extreme {
 
 /// The rows of one interval as lines `y = p x + q`: a two-variable linear program, ready to be solved for the extremes of
 /// `x` or of `y` at a given `x`. Reused from interval to interval.
+///
+/// Each row gives two parallel lines, `y = slope x + low` and `y = slope x + high`, kept in columns of their own. The first line is the
+/// neighbour's range; a row without `y` is no line and stands there as one that bounds nothing.
 #[derive(Default)]
 pub(super) struct IntervalProgram {
-    lines: Vec<Lines>,
+    slope: Vec<f64>,
+    low: Vec<f64>,
+    high: Vec<f64>,
+    first: usize,
     x: [f64; 2],
     reasons: [Reason; 2],
 }
 
-/// Two parallel lines `y = slope · x + low` and `y = slope · x + high`, and where they come from.
-#[derive(Clone, Copy)]
-struct Lines {
-    slope: f64,
-    low: f64,
-    high: f64,
-    line: Line,
-}
-
-/// The highest lower line and the lowest upper line at some `x`.
+/// The highest lower line and the lowest upper line at some `x`, by their place in the columns.
 struct Envelope {
-    low: f64,
-    high: f64,
     low_line: usize,
     high_line: usize,
 }
+
+/// Lines looked at side by side: two registers of two numbers on the smallest x86-64.
+const LANES: usize = 4;
 
 impl IntervalProgram {
     /// Takes the strips `first..` of an interval, the box of `x` and the range of `y`.
@@ -97,25 +95,45 @@ impl IntervalProgram {
         x: [f64; 2],
         y: [f64; 2],
     ) -> Result<(), Clash> {
-        self.lines.clear();
-        self.lines.push(Lines { slope: 0.0, low: y[0], high: y[1], line: Line::Neighbour });
-        self.x = x;
+        self.clear(strips.len() + 1);
+        self.set(0, 0.0, y);
+        (self.x, self.first) = (x, first);
         self.reasons = [Reason::Box; 2];
         for (offset, strip) in strips.iter().enumerate() {
             let (near, far) = direction.coefficients(strip);
             let inverse = far.recip();
-            if far == 0.0 || !inverse.is_finite() {
+            // Not for an infinite inverse: a row whose `y` weighs nothing bounds `x`.
+            if !(inverse.abs() < f64::INFINITY) {
                 self.bound_x(strip, near, first + offset)?;
                 continue;
             }
             let (a, b) = (strip.lower * inverse, strip.upper * inverse);
-            let (low, high) = if inverse > 0.0 { (a, b) } else { (b, a) };
-            self.lines.push(Lines { slope: -near * inverse, low, high, line: Line::Strip(first + offset) });
+            self.set(offset + 1, -near * inverse, if a < b { [a, b] } else { [b, a] });
         }
         if self.x[0] > self.x[1] {
             return Err(Clash::Bounds { low: self.reasons[0], high: self.reasons[1] });
         }
         Ok(())
+    }
+
+    /// As many lines that bound nothing, up to a multiple of [`LANES`].
+    fn clear(&mut self, lines: usize) {
+        let padded = lines.next_multiple_of(LANES);
+        for (column, nothing) in
+            [(&mut self.slope, 0.0), (&mut self.low, f64::NEG_INFINITY), (&mut self.high, f64::INFINITY)]
+        {
+            column.clear();
+            column.resize(padded, nothing);
+        }
+    }
+
+    fn set(&mut self, line: usize, slope: f64, range: [f64; 2]) {
+        (self.slope[line], self.low[line], self.high[line]) = (slope, range[0], range[1]);
+    }
+
+    /// Where a line comes from.
+    fn line(&self, line: usize) -> Line {
+        if line == 0 { Line::Neighbour } else { Line::Strip(self.first + line - 1) }
     }
 
     /// A row without `y` bounds `x`, or holds everywhere, or nowhere.
@@ -138,19 +156,31 @@ impl IntervalProgram {
         Ok(())
     }
 
-    fn envelope(&self, x: f64) -> Envelope {
-        let mut e = Envelope { low: f64::NEG_INFINITY, high: f64::INFINITY, low_line: 0, high_line: 0 };
-        for (i, lines) in self.lines.iter().enumerate() {
-            let rise = lines.slope * x;
-            let (low, high) = (rise + lines.low, rise + lines.high);
-            if low > e.low {
-                (e.low, e.low_line) = (low, i);
-            }
-            if high < e.high {
-                (e.high, e.high_line) = (high, i);
+    /// The greatest value of a lower line and the least of an upper one.
+    fn range_at(&self, x: f64) -> [f64; 2] {
+        let (mut low, mut high) = ([f64::NEG_INFINITY; LANES], [f64::INFINITY; LANES]);
+        let (slopes, _) = self.slope.as_chunks::<LANES>();
+        let (lows, _) = self.low.as_chunks::<LANES>();
+        let (highs, _) = self.high.as_chunks::<LANES>();
+        for (slopes, (lows, highs)) in slopes.iter().zip(lows.iter().zip(highs)) {
+            for lane in 0..LANES {
+                let rise = slopes[lane] * x;
+                let (below, above) = (rise + lows[lane], rise + highs[lane]);
+                low[lane] = if below > low[lane] { below } else { low[lane] };
+                high[lane] = if above < high[lane] { above } else { high[lane] };
             }
         }
-        e
+        [low.into_iter().fold(f64::NEG_INFINITY, f64::max), high.into_iter().fold(f64::INFINITY, f64::min)]
+    }
+
+    /// The lines that attain [`IntervalProgram::range_at`].
+    fn envelope(&self, x: f64) -> Envelope {
+        let [low, high] = self.range_at(x);
+        let at = |offsets: &[f64], value: f64| {
+            let lines = self.slope.iter().zip(offsets);
+            lines.map(|(slope, offset)| slope * x + offset).position(|y| y == value).unwrap_or(0)
+        };
+        Envelope { low_line: at(&self.low, low), high_line: at(&self.high, high) }
     }
 
     /// The least or greatest `x` for which some `y` keeps every row.
@@ -165,18 +195,18 @@ impl IntervalProgram {
         };
         let (mut x, mut reason) = (self.x[start], self.reasons[start]);
         // Each step takes another pair of lines; the bound only guards against cycling through rounding.
-        for _ in 0..4 * self.lines.len() + 8 {
-            let e = self.envelope(x);
-            if !(e.low > e.high) {
+        for _ in 0..4 * self.slope.len() + 8 {
+            let [low, high] = self.range_at(x);
+            if !(low > high) {
                 break;
             }
-            let (below, above) = (self.lines[e.low_line], self.lines[e.high_line]);
-            let pair = (below.line, above.line);
-            let slope = below.slope - above.slope;
+            let e = self.envelope(x);
+            let pair = (self.line(e.low_line), self.line(e.high_line));
+            let slope = self.slope[e.low_line] - self.slope[e.high_line];
             if !(slope * sign > 0.0) {
                 return Err(Clash::Pair { low: pair.0, high: pair.1, bound: reason });
             }
-            let next = (above.high - below.low) / slope;
+            let next = (self.high[e.high_line] - self.low[e.low_line]) / slope;
             if !((x - next) * sign > 0.0) {
                 break;
             }
@@ -192,12 +222,10 @@ impl IntervalProgram {
     pub(super) fn greatest_after(strips: &[Strip], x: f64) -> f64 {
         let mut greatest = f64::INFINITY;
         for strip in strips {
-            let (bound, sign) = if strip.after > 0.0 { (strip.upper, 1.0) } else { (strip.lower, -1.0) };
-            let room = (bound - strip.before * x) * sign;
-            // Division only where it changes the result.
-            if strip.after != 0.0 && room < greatest * strip.after * sign {
-                greatest = room / (strip.after * sign);
-            }
+            let bound = if strip.after > 0.0 { strip.upper } else { strip.lower };
+            let value = (bound - strip.before * x) / strip.after;
+            // A row without the value after bounds nothing here; for it the division gives an infinity or not a number.
+            greatest = if strip.after != 0.0 && value < greatest { value } else { greatest };
         }
         greatest
     }
@@ -224,25 +252,25 @@ impl IntervalProgram {
     /// The lines of an envelope from the left end of the box to the right: the upper lines' minimum turns downwards, the lower
     /// lines' maximum, its mirror image, upwards.
     fn walk(&self, which: Extreme) -> Vec<Line> {
-        let sign = if which == Extreme::Greatest { 1.0 } else { -1.0 };
-        let of = |l: &Lines| (sign * l.slope, sign * if which == Extreme::Greatest { l.high } else { l.low });
+        let (sign, offsets) = if which == Extreme::Greatest { (1.0, &self.high) } else { (-1.0, &self.low) };
+        let of = |line: usize| (sign * self.slope[line], sign * offsets[line]);
         let mut x = self.x[0];
         let e = self.envelope(x);
         let mut at = if which == Extreme::Greatest { e.high_line } else { e.low_line };
         let mut walked = Vec::new();
         loop {
-            walked.push(self.lines[at].line);
-            let (p, q) = of(&self.lines[at]);
+            walked.push(self.line(at));
+            let (p, q) = of(at);
             let mut next = (self.x[1], None);
-            for (i, line) in self.lines.iter().enumerate() {
+            for line in 0..self.slope.len() {
                 let (slope, offset) = of(line);
                 let crossing = (offset - q) / (p - slope);
                 if slope < p && crossing < next.0 {
-                    next = (crossing.max(x), Some(i));
+                    next = (crossing.max(x), Some(line));
                 }
             }
-            let (crossing, Some(i)) = next else { return walked };
-            (x, at) = (crossing, i);
+            let (crossing, Some(line)) = next else { return walked };
+            (x, at) = (crossing, line);
         }
     }
 }
@@ -367,7 +395,7 @@ mod tests {
                     let inner = vertices(&planes, -1e-6);
                     prop_assert!(!outer.is_empty());
                     prop_assert!(inner.iter().all(|p| least <= p[axis] + 1e-6 && p[axis] <= greatest + 1e-6));
-                    let e = [least, greatest].map(|x| { let e = program.envelope(x); e.low - e.high });
+                    let e = [least, greatest].map(|x| { let [low, high] = program.range_at(x); low - high });
                     prop_assert!(e.iter().all(|gap| *gap <= 1e-9), "gaps {e:?}");
                     for (value, reason, which) in [(least, low_reason, Extreme::Least), (greatest, high_reason, Extreme::Greatest)] {
                         if let Some(bound) = proven_bound(reason, which, &strips, direction, y) {

@@ -1,9 +1,9 @@
 use super::controllable::controllable;
 use super::error::OptimumError;
 use super::interval::{Direction, IntervalProgram};
-use super::strip::{Place, Row, RowSource, Side, Strip, power_of_two};
+use super::strip::{Place, Row, RowSource, Side, Strip, SymmetricBound, power_of_two};
 use crate::outward::Outward;
-use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SampledPiece};
+use slideway_lab::{EndRate, LimitKind, PathSample, SampledPath, SampledPiece};
 
 /// The discretised problem of one piece.
 ///
@@ -99,50 +99,39 @@ impl PieceProgram {
         piece: &SampledPiece,
         extra: &[ExtraSample],
     ) -> Result<(), OptimumError> {
-        let per_node = path.acceleration.as_ref().map_or(0, Vec::len) + piece.nodes[0].limits.len();
-        self.strips.reserve(2 * per_node * self.h.len());
+        let everywhere: Vec<SymmetricBound> =
+            path.acceleration.iter().flatten().map(|&bound| SymmetricBound::new(bound)).collect();
+        self.strips.reserve(2 * (everywhere.len() + piece.nodes[0].limits.len()) * self.h.len());
         let mut extra = extra.iter().peekable();
         for interval in 0..self.h.len() {
             let half_inverse = 0.5 / self.h[interval];
             for (end, share) in [(0, 0.0), (1, 1.0)] {
                 let source = Origin { node: interval + end, sample: 0 };
-                self.add_sample(path, &piece.nodes[interval + end], Place { share, half_inverse }, source)?;
+                self.add_sample(&everywhere, &piece.nodes[interval + end], Place { share, half_inverse }, source);
             }
             while let Some(point) = extra.next_if(|p| p.interval == interval) {
                 let sample = &piece.between[interval][point.sample];
                 let share = (sample.s - piece.nodes[interval].s) / self.h[interval];
                 let source = Origin { node: interval, sample: point.sample + 1 };
-                self.add_sample(path, sample, Place { share, half_inverse }, source)?;
+                self.add_sample(&everywhere, sample, Place { share, half_inverse }, source);
                 self.add_speed(path, sample, share, source);
             }
             self.first.push(self.strips.len());
         }
-        Ok(())
+        match self.strips.iter().find(|strip| !strip.is_valid()) {
+            Some(strip) => Err(OptimumError::NotFinite { piece: self.index, node: strip.source.node as usize }),
+            None => Ok(()),
+        }
     }
 
-    fn add_sample(
-        &mut self,
-        path: &SampledPath,
-        sample: &PathSample,
-        place: Place,
-        origin: Origin,
-    ) -> Result<(), OptimumError> {
-        for (joint, &bound) in path.acceleration.iter().flatten().enumerate() {
-            let (first, second) = (sample.first[joint], sample.second[joint]);
-            if first != 0.0 || second != 0.0 {
-                self.add(&LinearLimit::joint_acceleration(joint, first, second, -bound, bound), place, origin)?;
-            }
-        }
-        sample.limits.iter().try_for_each(|limit| self.add(limit, place, origin))
-    }
-
-    fn add(&mut self, limit: &LinearLimit, place: Place, origin: Origin) -> Result<(), OptimumError> {
-        let strip = Strip::new(limit, place, origin.of(limit.kind, limit.index));
-        if !strip.is_valid() {
-            return Err(OptimumError::NotFinite { piece: self.index, node: origin.node });
-        }
-        self.strips.push(strip);
-        Ok(())
+    fn add_sample(&mut self, everywhere: &[SymmetricBound], sample: &PathSample, place: Place, origin: Origin) {
+        let joints = everywhere.iter().zip(sample.first.iter().zip(&sample.second)).enumerate();
+        let moving = joints.filter(|(_, (_, (first, second)))| **first != 0.0 || **second != 0.0);
+        self.strips.extend(moving.map(|(joint, (bound, (first, second)))| {
+            bound.strip(*first, *second, place, origin.of(LimitKind::JointAcceleration, joint))
+        }));
+        let limits = sample.limits.iter();
+        self.strips.extend(limits.map(|limit| Strip::new(limit, place, origin.of(limit.kind, limit.index))));
     }
 
     /// `b <= cap` at an extra sample, as a row.
@@ -292,14 +281,14 @@ impl PieceProgram {
     #[must_use]
     pub fn largest_excess(&self, profile: &[f64]) -> f64 {
         let mut worst = f64::NEG_INFINITY;
-        for interval in 0..self.h.len() {
+        for (interval, ends) in profile.windows(2).enumerate() {
             for strip in self.interval(interval) {
-                let overshoot = strip.overshoot(profile[interval], profile[interval + 1]);
+                let overshoot = strip.overshoot(ends[0], ends[1]);
                 // Division only where it changes the result; not a number counts as infinite.
-                if overshoot.is_nan() {
-                    return f64::INFINITY;
-                }
-                if overshoot > worst * strip.half_range() {
+                if !(overshoot <= worst * strip.half_range()) {
+                    if overshoot.is_nan() {
+                        return f64::INFINITY;
+                    }
                     worst = overshoot / strip.half_range();
                 }
             }

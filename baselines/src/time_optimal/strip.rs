@@ -63,6 +63,33 @@ pub(super) struct Place {
     pub(super) half_inverse: f64,
 }
 
+/// The same bound upwards and downwards, everywhere along the path, scaled as [`Strip::new`] scales.
+#[derive(Clone, Copy)]
+pub(super) struct SymmetricBound {
+    scale: f64,
+    scaled: f64,
+}
+
+impl SymmetricBound {
+    pub(super) fn new(bound: f64) -> Self {
+        let scale = power_of_two(bound).recip();
+        Self { scale, scaled: bound * scale }
+    }
+
+    /// The strip of `first s̈ + second b` within the bound, equal to that of the [`LinearLimit`]: scaling by a power of two commutes
+    /// with rounding.
+    pub(super) fn strip(&self, first: f64, second: f64, place: Place, source: RowSource) -> Strip {
+        let (slope, square) = (first * place.half_inverse * self.scale, second * self.scale);
+        Strip {
+            before: (1.0 - place.share) * square - slope,
+            after: place.share * square + slope,
+            lower: -self.scaled,
+            upper: self.scaled,
+            source,
+        }
+    }
+}
+
 impl Strip {
     /// The strip of a limit, scaled by a power of two (hence exactly) so that the distance of its bounds is of order 1.
     pub(super) fn new(limit: &LinearLimit, place: Place, source: RowSource) -> Self {
@@ -80,7 +107,7 @@ impl Strip {
     /// Half the distance of the bounds, or the size of the only one: what a violation is measured by.
     pub(super) fn half_range(&self) -> f64 {
         let half = 0.5 * (self.upper - self.lower);
-        if half.is_finite() && half > 0.0 { half } else { 1.0 }
+        if half > 0.0 && half < f64::INFINITY { half } else { 1.0 }
     }
 
     /// An upper bound on how far outside the strip a pair of values is, in the row's own units; negative inside.
@@ -91,9 +118,8 @@ impl Strip {
         let (first, second) = (self.before * x, self.after * y);
         let value = first + second;
         let rounding = 4.0 * f64::EPSILON * (first.abs() + second.abs()) + f64::MIN_POSITIVE;
-        let beyond = |difference: f64, bound: f64| {
-            if bound.is_finite() { difference + 4.0 * f64::EPSILON * bound.abs() } else { f64::NEG_INFINITY }
-        };
+        // An infinite bound is never left: its difference is minus infinity, and stays so with a finite addition.
+        let beyond = |difference: f64, bound: f64| difference + 4.0 * f64::EPSILON * bound.abs().min(f64::MAX);
         let (over, under) = (beyond(value - self.upper, self.upper), beyond(self.lower - value, self.lower));
         (if over >= under { over } else { under }) + rounding
     }
@@ -123,4 +149,27 @@ impl Strip {
 pub(super) fn power_of_two(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     if x.is_normal() && x > 0.0 { f64::from_bits(x.to_bits() & EXPONENT) } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_symmetric_bound_makes_the_strip_of_its_limit_to_the_bit(
+            first in -10.0..10.0_f64,
+            second in -100.0..100.0_f64,
+            bound in prop_oneof![1e-6..1e6_f64, Just(f64::INFINITY), Just(0.0)],
+            share in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64],
+            half_inverse in 1e-3..1e6_f64,
+        ) {
+            let source = RowSource { kind: LimitKind::JointAcceleration, index: 0, sample: 0, node: 0 };
+            let place = Place { share, half_inverse };
+            let limit = LinearLimit::joint_acceleration(0, first, second, -bound, bound);
+            let strip = SymmetricBound::new(bound).strip(first, second, place, source);
+            prop_assert_eq!(strip, Strip::new(&limit, place, source));
+        }
+    }
 }
