@@ -72,6 +72,24 @@ impl From<slideway_conditioner::ParameterError> for Stop {
     }
 }
 
+impl From<slideway_motion::MotionError> for Stop {
+    fn from(error: slideway_motion::MotionError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
+impl From<slideway_robot::RobotError> for Stop {
+    fn from(error: slideway_robot::RobotError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
+impl From<slideway_robot::DynamicsError> for Stop {
+    fn from(error: slideway_robot::DynamicsError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
 /// Margin of a claim that either holds or does not.
 #[must_use]
 pub fn exactly(holds: bool) -> f64 {
