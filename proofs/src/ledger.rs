@@ -40,11 +40,16 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Runs every engine of a claim on the shipped code.
+    /// Runs every engine of a claim on the shipped code; `progress` is told which one, and how many cases it has tried.
     #[must_use]
-    pub fn measure(claim: &'static Claim, seed: u64, cases: u64) -> Self {
-        let one = |engine| Measured { engine, report: campaign(engine, Subject::Shipped, seed, cases) };
-        Self { claim, measured: claim.engines.iter().map(one).collect() }
+    pub fn measure(claim: &'static Claim, seed: u64, cases: u64, mut progress: impl FnMut(&Engine, u64)) -> Self {
+        let mut measured = Vec::new();
+        for engine in claim.engines {
+            progress(engine, 0);
+            let report = campaign(engine, Subject::Shipped, seed, cases, |tried| progress(engine, tried));
+            measured.push(Measured { engine, report });
+        }
+        Self { claim, measured }
     }
 
     /// Cases tried, all engines together.
@@ -104,7 +109,7 @@ pub fn catches(fault: Fault) -> Vec<Catch> {
     engines
         .filter(|(_, engine)| engine.about == About::SpeedRegulator)
         .filter_map(|(claim, engine)| {
-            let report = campaign(engine, Subject::Broken(fault), SEED, CATCH);
+            let report = campaign(engine, Subject::Broken(fault), SEED, CATCH, |_| ());
             report.violation.map(|violation| Catch { claim, engine: engine.name, case: violation.case })
         })
         .collect()
@@ -168,12 +173,7 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
             .iter()
             .map(|m| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned())
             .collect();
-        let measured = if entry.measured.is_empty() {
-            ("test only".to_owned(), "in `proofs/tests`".to_owned())
-        } else {
-            (entry.tried().to_string(), margins.join("; "))
-        };
-        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), measured.0, measured.1);
+        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), entry.tried(), margins.join("; "));
     }
     text.push_str(&refuted());
     text.push_str(&broken());
@@ -189,17 +189,17 @@ fn unit_in_words(measured: &Measured) -> &'static str {
 /// The statements that do not hold as printed, each with its smallest counterexample, replayed on the shipped code.
 #[must_use]
 pub fn refuted() -> String {
-    let mut text = "\n## Refuted as printed\n\n| statement | source | counterexample | said | found | what holds |\n|---|---|---|---|---|---|\n".to_owned();
+    let mut text = "\n## Refuted as printed\n\n| statement | source | counterexample | said | found | what holds | run |\n|---|---|---|---|---|---|---|\n".to_owned();
     for refutation in REFUTED {
         let found = (refutation.replay)().map_or_else(|stop| format!("{stop:?}"), |found| format!("{found:.4}"));
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {found} | `{}` |",
+            "| {} | {} | {} | {} | {found} | `{claim}` | [figure](figures/{claim}/counterexample.svg) |",
             refutation.statement.replace('|', "\\|"),
             refutation.source,
             refutation.numbers,
             refutation.said,
-            refutation.claim
+            claim = refutation.claim
         );
     }
     text

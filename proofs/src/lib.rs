@@ -1,5 +1,4 @@
 //! What is claimed about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
-//! What is claimed about the conditioners, about natural motion and about the motion queue, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -44,6 +43,7 @@ pub mod frozen_band;
 pub mod impedance_passivity;
 pub mod implicit_band;
 pub mod joint_path;
+pub mod kept;
 pub mod ledger;
 pub mod log_path;
 pub mod look_ahead_tail;
