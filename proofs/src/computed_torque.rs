@@ -39,7 +39,7 @@ pub const CLAIM: Claim = Claim {
     }],
     engines: &[Engine {
         name: "the_error_obeys_its_linear_equation",
-        unit: "share of the accelerations",
+        unit: "share of the slack",
         about: About::Other,
         cost: Cost::Sample,
         trial: linear_error,
@@ -81,8 +81,8 @@ pub fn reached<const N: usize>(
 
 /// The PUMA-560 in any field of gravity.
 ///
-/// Rounding. Its mass matrix has condition numbers up to 1.1e5: 1e5 times some hundred roundings of 1e-16, relative to the
-/// accelerations that its torques stand for; bias torques, of the size of 10 rad/s², add to them.
+/// Rounding. Its mass matrix has condition numbers up to 1.1e5: 1e5 times some hundred roundings of 1e-16 are 1e-8 at most,
+/// relative to the accelerations that its torques stand for; bias torques, of the size of 10 rad/s², add to them.
 fn linear_error(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
     let gravity = Vector3::from(choices.numbers::<3>(-10.0, 10.0));
     let mut joints = |size: f64| JointVector::<6>::from(choices.numbers::<6>(-size, size));
@@ -92,5 +92,5 @@ fn linear_error(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
     let desired = JointState { q: q + error, qd: qd + rate, qdd };
     let acceleration = reached(&arm, arm.clone(), feedback(kp, kd)?, &desired, [&q, &qd])?;
     let wanted = qdd + error * kp + rate * kd;
-    Ok(1e-8 - (acceleration - wanted).amax() / (10.0 + wanted.amax()))
+    Ok(1.0 - (acceleration - wanted).amax() / (1e-8 * (10.0 + wanted.amax())))
 }

@@ -164,7 +164,8 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
          documentation of `proofs/src`, one module a claim.\n\n\
          *Proof*: scripts that z3 must find unsatisfiable (the negated claim), and the hypotheses each of which, dropped, must leave a \
          counterexample. *Cases*: random cases that met the hypotheses, seed {SEED}, {cases} for every property. *Margin*: the smallest distance \
-         from the bound, slack for rounding included; `reached` is below 1e-9, `exact` a claim that holds to the last bit or not at all.\n\n\
+         from the bound, slack for rounding included; `reached` is below 1e-9, `exact` a claim that holds to the last bit or not at all. \
+         `regressions` keeps the closest case that a search of a minute a claim has found (`slideway attack`); the tests replay them.\n\n\
          | claim | statement | source | the source's statement | proof | cases | margin |\n|---|---|---|---|---|---|---|\n"
     );
     for entry in entries {

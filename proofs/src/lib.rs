@@ -10,7 +10,8 @@
 //!    a slack for rounding that is derived where it is used.
 //!
 //! The third check is an [`engine::Engine`]: a function from a list of numbers in [0, 1] to the case's margin. `slideway claims` runs the
-//! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, and [`ledger`] puts the regulators of
+//! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, [`kept`] writes a case down for
+//! `slideway claims --replay` and for `proofs/regressions`, whose cases the tests replay, and [`ledger`] puts the regulators of
 //! [`subject::Fault`] in the shipped one's place, each of which some claim has to notice.
 //!
 //! The scripts over the reals (`QF_NRA`) say nothing about rounding; those over doubles (`QF_FP`) are exact to the bit.

@@ -116,7 +116,7 @@ fn chattering_run() -> Result<RefutingRun, Stop> {
         seen: "Where |v| falls from 3 to 1 rad the desired speed changes by 2.5 times what is said.",
         said: by_sample(1, &vec![chattering_estimate(1.0, 0.5, 1.0); changes.len()]),
         found: by_sample(1, &changes),
-        saying: "|v| a dλ/dt at most, eq 23",
+        saying: "|v| a times the target rate, eq 23",
     })
 }
 
