@@ -48,7 +48,7 @@ pub const CLAIM: Claim = Claim {
         name: "a_curve_is_never_run_backwards_never_passed_and_ends_at_rest",
         unit: "m",
         about: About::Other,
-        cost: Cost::Run,
+        cost: Cost::Motion,
         trial: ends_at_rest,
     }],
 };

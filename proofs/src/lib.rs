@@ -6,8 +6,8 @@
 //! 1. the negated inductive step has no model (`unsat`);
 //! 2. with the named hypothesis dropped it has one (`sat`), and that counterexample, replayed on the shipped code, is a
 //!    violation there as well. A proof whose hypotheses contradict each other would pass the first check and fail this;
-//! 3. over 10 000 random cases that meet the hypotheses (2 000 where one case is a whole run) the shipped code keeps the claim, with
-//!    a slack for rounding that is derived where it is used.
+//! 3. over 10 000 random cases that meet the hypotheses (2 000 where one case is a whole run, 300 where it is a motion of an arm) the
+//!    shipped code keeps the claim, with a slack for rounding that is derived where it is used.
 //!
 //! The third check is an [`engine::Engine`]: a function from a list of numbers in [0, 1] to the case's margin. `slideway claims` runs the
 //! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, [`kept`] writes a case down for

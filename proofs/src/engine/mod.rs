@@ -26,6 +26,8 @@ pub enum Cost {
     Sample,
     /// A whole run or a conic program: a fraction of a millisecond.
     Run,
+    /// A motion of an arm, planned and followed: a millisecond.
+    Motion,
 }
 
 /// The property test of a claim.
