@@ -58,7 +58,7 @@ impl Figure for Checked<'_> {
     fn caption(&self) -> String {
         let Counterexample { title, message, quantity, saying, .. } = self.0;
         format!(
-            "{title}: {quantity} sample by sample, on the shipped code, and what is said about it ({saying}). {message}"
+            "{title}: {quantity}, sample by sample on the shipped code, and what is said about it ({saying}). {message}"
         )
     }
 

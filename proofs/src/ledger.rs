@@ -58,6 +58,14 @@ impl Entry {
         self.measured.iter().map(|m| m.report.tried).sum()
     }
 
+    /// The smallest margin of every engine, with its unit where there is something to count in it.
+    #[must_use]
+    pub fn margins_in_words(&self) -> String {
+        let one =
+            |m: &Measured| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned();
+        self.measured.iter().map(one).collect::<Vec<_>>().join("; ")
+    }
+
     /// The engines with a violation.
     pub fn violated(&self) -> impl Iterator<Item = &Measured> {
         self.measured.iter().filter(|m| m.report.violation.is_some())
@@ -169,12 +177,7 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
          | claim | statement | source | the source's statement | proof | cases | margin |\n|---|---|---|---|---|---|---|\n"
     );
     for entry in entries {
-        let margins: Vec<String> = entry
-            .measured
-            .iter()
-            .map(|m| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned())
-            .collect();
-        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), entry.tried(), margins.join("; "));
+        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), entry.tried(), entry.margins_in_words());
     }
     text.push_str(&refuted());
     text.push_str(&broken());

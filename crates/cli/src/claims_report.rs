@@ -3,7 +3,7 @@ use crate::diagnostic::CliError;
 use crate::output::create;
 use crate::report::{Page, escape};
 use slideway_figures::{Counterexample, FigureError, Rendered, draw_counterexample};
-use slideway_proofs::ledger::{Entry, ProofStatus, margin_in_words, verdict_in_words};
+use slideway_proofs::ledger::{Entry, ProofStatus, verdict_in_words};
 use slideway_proofs::refuted::{REFUTED, Refutation};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -61,8 +61,6 @@ fn rendered(entries: &[Entry], proofs: &[ProofStatus], figures: &[Rendered]) -> 
 }
 
 fn row(entry: &Entry, proof: &ProofStatus) -> String {
-    let margins: Vec<String> =
-        entry.measured.iter().map(|m| format!("{} {}", margin_in_words(m.report.smallest), m.engine.unit)).collect();
     let cells = [
         entry.claim.name,
         entry.claim.statement,
@@ -70,7 +68,7 @@ fn row(entry: &Entry, proof: &ProofStatus) -> String {
         verdict_in_words(entry.claim.verdict),
         proof_in_words(proof),
         &entry.tried().to_string(),
-        &margins.join("; "),
+        &entry.margins_in_words(),
     ];
     let cells: String = cells.iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
     format!("<tr>{cells}</tr>\n")

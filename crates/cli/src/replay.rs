@@ -9,16 +9,23 @@ use std::path::Path;
 /// Replays a case that was written down.
 pub(crate) fn file(path: &Path) -> Result<Outcome, CliError> {
     let failed = |error| CliError::Kept { path: path.to_owned(), error };
-    let replayed = KeptCase::read(path).map_err(failed)?.replay().map_err(failed)?;
-    Ok(shown(&replayed))
+    let kept = KeptCase::read(path).map_err(failed)?;
+    let outcome = shown(&kept.replay().map_err(failed)?);
+    print(&kept.margin.map_or_else(String::new, |margin| format!("written   with a margin of {margin:e}\n")));
+    Ok(outcome)
 }
 
 /// Replays a case of the ledger's own sequence, with every property of the claims.
 pub(crate) fn case(claims: &[&'static Claim], case: u64) -> Outcome {
     let properties = claims.iter().flat_map(|claim| claim.engines.iter().map(move |engine| (*claim, engine)));
-    let outcomes: Vec<Outcome> =
-        properties.map(|(claim, engine)| shown(&Replayed::run(claim, engine, Choices::random(SEED, case)))).collect();
-    if outcomes.contains(&Outcome::Fails) { Outcome::Fails } else { Outcome::Holds }
+    let mut outcome = Outcome::Holds;
+    for (claim, engine) in properties {
+        if shown(&Replayed::run(claim, engine, Choices::random(SEED, case))) == Outcome::Fails {
+            outcome = Outcome::Fails;
+        }
+        print("\n");
+    }
+    outcome
 }
 
 fn shown(replayed: &Replayed) -> Outcome {
@@ -29,7 +36,7 @@ fn shown(replayed: &Replayed) -> Outcome {
         Err(Stop::Refused(why)) => ("none".to_owned(), format!("VIOLATED: {why}"), Outcome::Fails),
     };
     print(&format!(
-        "claim     {}\nstatement {}\nproperty  {}\nchoices   {:?}\nmargin    {margin}\nverdict   {verdict}\n\n",
+        "claim     {}\nstatement {}\nproperty  {}\nchoices   {:?}\nmargin    {margin}\nverdict   {verdict}\n",
         replayed.claim.name, replayed.claim.statement, replayed.engine.name, replayed.used
     ));
     outcome
