@@ -197,36 +197,3 @@ fn the_readme_documents_the_very_templates() {
     assert!(include_str!("../README.md").contains(slideway_lab::TEMPLATE));
     assert!(include_str!("../README.md").contains(slideway_lab::CONDITIONING_TEMPLATE));
 }
-
-#[test]
-fn claims_prints_the_ledger_of_one_claim_with_its_margins() {
-    let folder = tempfile::tempdir().expect("folder");
-    let output = slideway(folder.path(), &["claims", "--claim", "frozen-band", "--cases", "500", "--json"]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let ledger = json(&stdout(&output));
-    let claim = &ledger[0];
-    assert_eq!(claim["name"], "frozen-band");
-    assert_eq!(claim["proof"], "proven");
-    for property in claim["properties"].as_array().expect("list") {
-        assert_eq!(property["cases"], 500);
-        assert!(property["smallest_margin"].as_f64().expect("a margin") >= 0.0 && property["violation"].is_null());
-    }
-}
-
-#[test]
-fn a_claim_that_does_not_exist_is_answered_with_the_nearest_one() {
-    let folder = tempfile::tempdir().expect("folder");
-    let output = slideway(folder.path(), &["claims", "--claim", "frozen-bend"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean `frozen-band`?"));
-}
-
-#[test]
-fn an_attack_reports_the_smallest_margin_it_found() {
-    let folder = tempfile::tempdir().expect("folder");
-    let output = slideway(folder.path(), &["attack", "--claim", "feedback-band", "--minutes", "0.005"]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    assert!(stdout(&output).contains("a_trailing_robot_keeps_the_band") && stdout(&output).contains("margin"));
-    let refused = slideway(folder.path(), &["attack", "--minutes", "nan"]);
-    assert_eq!(refused.status.code(), Some(2));
-}

@@ -12,6 +12,7 @@ mod chart;
 mod chattering;
 mod conditioning;
 mod convergence;
+mod counterexample;
 mod courses;
 mod direction_factor;
 mod error;
@@ -36,6 +37,7 @@ mod tool_path;
 pub use chart::{Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, draw_chart};
 pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
 pub use convergence::{ConvergencePoint, ConvergenceStudy, draw_convergence};
+pub use counterexample::{Counterexample, draw_counterexample};
 pub use courses::{
     CourseLaw, CourseStudy, ModelErrorOfLaw, ModelErrorStudy, NamedCourse, draw_courses, draw_model_error,
 };

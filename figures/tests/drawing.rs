@@ -4,11 +4,12 @@ mod files;
 
 use files::{is_well_formed, png_header};
 use slideway_figures::{
-    Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, FigureError, Optimum, Rendered, SpeedStudy, draw_chart,
-    draw_speed_study,
+    Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Counterexample, FigureError, Optimum, Rendered, SpeedStudy,
+    draw_chart, draw_counterexample, draw_speed_study,
 };
 use slideway_lab::{BUILT_IN, Experiment, MAX_JOINTS, Method, Sample, Scenario, ScenarioKind, Trace, scenario_kind};
 use std::error::Error;
+use std::path::Path;
 
 /// Everything a study borrows.
 struct Material {
@@ -268,6 +269,37 @@ fn a_directory_that_cannot_be_made_is_reported() -> Result<(), Box<dyn Error>> {
     let material = Material::by_hand();
     assert!(matches!(draw_speed_study(&material.study(), &file), Err(FigureError::Write { .. })));
     Ok(())
+}
+
+#[test]
+fn a_counterexample_is_drawn_with_what_is_said_and_what_is_found() -> Result<(), Box<dyn Error>> {
+    let dir = tempfile::tempdir()?;
+    let (said, found) = ([[0.0, 1.0], [1.0, 1.0]], [[0.0, 0.5], [1.0, 1.5]]);
+    let example = Counterexample {
+        title: "Refuted: a statement",
+        message: "The second sample is outside.",
+        quantity: "m",
+        saying: "1 at most",
+        said: &said,
+        found: &found,
+    };
+    let figure = draw_counterexample(&example, dir.path())?;
+    assert!(figure.svg.contains("said: 1 at most") && figure.svg.contains("sample"));
+    assert_eq!(figure.svg.matches("<circle").count(), found.len());
+    assert!(figure.caption.contains("The second sample is outside."));
+    assert!(figure.png_path.is_file() && figure.svg_path.is_file());
+    Ok(())
+}
+
+#[test]
+fn a_counterexample_without_a_run_is_refused() {
+    let dir = Path::new("never-made");
+    let example = Counterexample { title: "", message: "", quantity: "", saying: "", said: &[], found: &[] };
+    assert!(matches!(draw_counterexample(&example, dir), Err(FigureError::Length { found: 0, .. })));
+    let gap = [[0.0, 1.0], [1.0, f64::NAN]];
+    let example = Counterexample { found: &gap, ..example };
+    assert!(matches!(draw_counterexample(&example, dir), Err(FigureError::Value { index: 1, .. })));
+    assert!(!dir.exists());
 }
 
 #[test]

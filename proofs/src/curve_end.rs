@@ -21,7 +21,14 @@
 //! Dropped hypothesis: the half. With `w2` up to `2 (1 - u - Ts w / 2) / Ts` the next sample is still on the curve, and the one after
 //! it is not.
 
+use nalgebra::Vector3;
+use slideway_motion::tool::{Regulation, SpeedLaw, ToolCurve, ToolKinematics, ToolLine};
+use slideway_motion::{AxisLimits, MotionLimits, MotionQueue, Progress};
+use slideway_robot::{DhRow, Pose, RobotError, SerialArm, Task};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, exactly, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -37,5 +44,93 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/curve-end-without-half.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "a_curve_is_never_run_backwards_never_passed_and_ends_at_rest",
+        unit: "m",
+        about: About::Other,
+        cost: Cost::Motion,
+        trial: ends_at_rest,
+    }],
 };
+
+/// Set-points of a curve after which it is taken for one that never ends: more than ten times what these take.
+const MOST: u32 = 20_000;
+
+/// Changes of pace.
+const PACES: usize = 4;
+
+/// Two links of a metre.
+///
+/// # Errors
+///
+/// None.
+pub fn arm() -> Result<SerialArm<2>, RobotError> {
+    SerialArm::from_dh([DhRow { a: 1.0, ..DhRow::default() }; 2])
+}
+
+/// A line of the tool, and how far along it the tool of a set-point is.
+struct Line {
+    arm: SerialArm<2>,
+    start: Vector3<f64>,
+    along: Vector3<f64>,
+    /// m.
+    length: f64,
+}
+
+impl Line {
+    /// m.
+    fn place(&self, queue: &MotionQueue<2, 4>) -> f64 {
+        (self.arm.forward(&queue.set_point().q).translation.vector - self.start).dot(&self.along)
+    }
+}
+
+/// What is left of the slack when the line has been run to its end, m.
+///
+/// Slack. Inverse kinematics ends within 1e-10 m of a place, twice for a difference; the queue takes a remainder of 1e-12 of the line,
+/// which is no longer than 0.6 m, for none.
+fn run(line: &Line, queue: &mut MotionQueue<2, 4>, choices: &mut Choices) -> Result<f64, Stop> {
+    const SLACK: f64 = 2e-10 + 1e-12;
+    let period = choices.decade(-2.5, -1.7);
+    let mut paces = choices.below(1 + PACES);
+    let (mut left, mut before, mut margin) = (0.0, 0.0, f64::INFINITY);
+    for _ in 0..MOST {
+        if queue.is_empty() {
+            let ended = exactly(queue.set_point().is_at_rest() && queue.progress() == Progress::Resting);
+            return Ok(worse(worse(margin, ended), SLACK - (before - line.length).abs()));
+        }
+        if left <= 0.0 {
+            let (seconds, pace) = (choices.between(0.0, 0.3), choices.share());
+            (left, paces) = if paces > 0 { (seconds, paces - 1) } else { (f64::INFINITY, 0) };
+            queue.set_rate(if left.is_finite() { pace } else { 1.0 })?;
+        }
+        queue.advance(period)?;
+        let after = line.place(queue);
+        margin = worse(margin, SLACK + (after - before).min(line.length - after));
+        before = after;
+        left -= period;
+    }
+    Err(Stop::Refused(format!("not at its end after {MOST} set-points")))
+}
+
+/// A line of the tool, 0.6 m at most, under either law that decides sample by sample, its pace changed at random times.
+///
+/// The queue is asked for set-points every 3 to 20 ms: at a millisecond a case costs five times as much.
+fn ends_at_rest(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let from = [choices.between(0.2, 1.2), choices.between(1.0, 2.0)];
+    let (x, y) = (choices.between(-0.4, 0.4), choices.between(-0.4, 0.4));
+    let scale = choices.pick([1.0, 0.1, 0.01]);
+    let [x, y] = [x * scale, y * scale];
+    let regulation = Regulation { sampling_period: choices.between(2e-3, 1e-2), ..Regulation::DEFAULT };
+    let law = choices.pick([SpeedLaw::SlidingMode(regulation), SpeedLaw::Natural(regulation)]);
+    let arm = arm()?;
+    let limits = MotionLimits::without_stops([AxisLimits::new(1.5, 8.0, 100.0)?; 2]);
+    let kinematics = ToolKinematics::new(arm.clone(), Task::PlanarPosition, 0.02)?;
+    let mut queue = MotionQueue::<2, 4>::new(limits, from.into())?.with_tool(kinematics);
+    let start = queue.tool_pose()?;
+    let curve = ToolLine::new(&start, &(Pose::translation(x, y, 0.0) * start));
+    // Lines out of reach or through a singular place are refused, which is not what this is about.
+    queue.move_tool_along(&ToolCurve::Line(curve), &law).map_err(|_| Stop::Skipped)?;
+    let length = x.hypot(y);
+    let along = Vector3::new(x, y, 0.0) / length.max(f64::MIN_POSITIVE);
+    run(&Line { arm, start: start.translation.vector, along, length }, &mut queue, choices)
+}

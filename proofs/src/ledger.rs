@@ -40,17 +40,30 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Runs every engine of a claim on the shipped code.
+    /// Runs every engine of a claim on the shipped code; `progress` is told which one, and how many cases it has tried.
     #[must_use]
-    pub fn measure(claim: &'static Claim, seed: u64, cases: u64) -> Self {
-        let one = |engine| Measured { engine, report: campaign(engine, Subject::Shipped, seed, cases) };
-        Self { claim, measured: claim.engines.iter().map(one).collect() }
+    pub fn measure(claim: &'static Claim, seed: u64, cases: u64, mut progress: impl FnMut(&Engine, u64)) -> Self {
+        let mut measured = Vec::new();
+        for engine in claim.engines {
+            progress(engine, 0);
+            let report = campaign(engine, Subject::Shipped, seed, cases, |tried| progress(engine, tried));
+            measured.push(Measured { engine, report });
+        }
+        Self { claim, measured }
     }
 
     /// Cases tried, all engines together.
     #[must_use]
     pub fn tried(&self) -> u64 {
         self.measured.iter().map(|m| m.report.tried).sum()
+    }
+
+    /// The smallest margin of every engine, with its unit where there is something to count in it.
+    #[must_use]
+    pub fn margins_in_words(&self) -> String {
+        let one =
+            |m: &Measured| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned();
+        self.measured.iter().map(one).collect::<Vec<_>>().join("; ")
     }
 
     /// The engines with a violation.
@@ -104,7 +117,7 @@ pub fn catches(fault: Fault) -> Vec<Catch> {
     engines
         .filter(|(_, engine)| engine.about == About::SpeedRegulator)
         .filter_map(|(claim, engine)| {
-            let report = campaign(engine, Subject::Broken(fault), SEED, CATCH);
+            let report = campaign(engine, Subject::Broken(fault), SEED, CATCH, |_| ());
             report.violation.map(|violation| Catch { claim, engine: engine.name, case: violation.case })
         })
         .collect()
@@ -159,21 +172,12 @@ pub fn markdown(entries: &[Entry], cases: u64) -> String {
          documentation of `proofs/src`, one module a claim.\n\n\
          *Proof*: scripts that z3 must find unsatisfiable (the negated claim), and the hypotheses each of which, dropped, must leave a \
          counterexample. *Cases*: random cases that met the hypotheses, seed {SEED}, {cases} for every property. *Margin*: the smallest distance \
-         from the bound, slack for rounding included; `reached` is below 1e-9, `exact` a claim that holds to the last bit or not at all.\n\n\
+         from the bound, slack for rounding included; `reached` is below 1e-9, `exact` a claim that holds to the last bit or not at all. \
+         `regressions` keeps the closest case that a search of a minute a claim has found (`slideway attack`); the tests replay them.\n\n\
          | claim | statement | source | the source's statement | proof | cases | margin |\n|---|---|---|---|---|---|---|\n"
     );
     for entry in entries {
-        let margins: Vec<String> = entry
-            .measured
-            .iter()
-            .map(|m| format!("{} {}", margin_in_words(m.report.smallest), unit_in_words(m)).trim().to_owned())
-            .collect();
-        let measured = if entry.measured.is_empty() {
-            ("test only".to_owned(), "in `proofs/tests`".to_owned())
-        } else {
-            (entry.tried().to_string(), margins.join("; "))
-        };
-        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), measured.0, measured.1);
+        let _ = writeln!(text, "{} {} | {} |", row_head(entry.claim), entry.tried(), entry.margins_in_words());
     }
     text.push_str(&refuted());
     text.push_str(&broken());
@@ -189,17 +193,17 @@ fn unit_in_words(measured: &Measured) -> &'static str {
 /// The statements that do not hold as printed, each with its smallest counterexample, replayed on the shipped code.
 #[must_use]
 pub fn refuted() -> String {
-    let mut text = "\n## Refuted as printed\n\n| statement | source | counterexample | said | found | what holds |\n|---|---|---|---|---|---|\n".to_owned();
+    let mut text = "\n## Refuted as printed\n\n| statement | source | counterexample | said | found | what holds | run |\n|---|---|---|---|---|---|---|\n".to_owned();
     for refutation in REFUTED {
         let found = (refutation.replay)().map_or_else(|stop| format!("{stop:?}"), |found| format!("{found:.4}"));
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {found} | `{}` |",
+            "| {} | {} | {} | {} | {found} | `{claim}` | [figure](figures/{claim}/counterexample.svg) |",
             refutation.statement.replace('|', "\\|"),
             refutation.source,
             refutation.numbers,
             refutation.said,
-            refutation.claim
+            claim = refutation.claim
         );
     }
     text

@@ -1,5 +1,4 @@
 //! What is claimed about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
-//! What is claimed about the conditioners, about natural motion and about the motion queue, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:
@@ -7,11 +6,12 @@
 //! 1. the negated inductive step has no model (`unsat`);
 //! 2. with the named hypothesis dropped it has one (`sat`), and that counterexample, replayed on the shipped code, is a
 //!    violation there as well. A proof whose hypotheses contradict each other would pass the first check and fail this;
-//! 3. over 10 000 random cases that meet the hypotheses (2 000 where one case is a whole run) the shipped code keeps the claim, with
-//!    a slack for rounding that is derived where it is used.
+//! 3. over 10 000 random cases that meet the hypotheses (2 000 where one case is a whole run, 300 where it is a motion of an arm) the
+//!    shipped code keeps the claim, with a slack for rounding that is derived where it is used.
 //!
 //! The third check is an [`engine::Engine`]: a function from a list of numbers in [0, 1] to the case's margin. `slideway claims` runs the
-//! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, and [`ledger`] puts the regulators of
+//! same engines on 100 000 cases and more, `slideway attack` searches them for the smallest margin, [`kept`] writes a case down for
+//! `slideway claims --replay` and for `proofs/regressions`, whose cases the tests replay, and [`ledger`] puts the regulators of
 //! [`subject::Fault`] in the shipped one's place, each of which some claim has to notice.
 //!
 //! The scripts over the reals (`QF_NRA`) say nothing about rounding; those over doubles (`QF_FP`) are exact to the bit.
@@ -44,6 +44,7 @@ pub mod frozen_band;
 pub mod impedance_passivity;
 pub mod implicit_band;
 pub mod joint_path;
+pub mod kept;
 pub mod ledger;
 pub mod log_path;
 pub mod look_ahead_tail;

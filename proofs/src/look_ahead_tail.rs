@@ -21,7 +21,13 @@
 //!
 //! Dropped hypothesis: the midpoint. Evaluated at `λ` itself the rate falls faster than the plan's deceleration.
 
+use slideway_conditioner::acceleration::{AccelerationLimits, LookAhead, LookAheadSettings, Preview};
+use slideway_conditioner::{ParameterError, SpeedLimits};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::draw::TS;
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -37,5 +43,151 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/look-ahead-tail-without-midpoint.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "a_stop_in_the_window_leaves_a_stop_for_the_next_sample",
+        unit: "rad/s",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: leaves_a_stop,
+    }],
 };
+
+/// A look-ahead without margin whose speed limits and target rate, both 100, are out of the way of what is tried here.
+///
+/// # Errors
+///
+/// A period or an acceleration that is not positive.
+pub fn look_ahead<const N: usize>(period: f64, acceleration: f64) -> Result<LookAhead<N>, ParameterError> {
+    LookAhead::new(LookAheadSettings {
+        speed_limits: SpeedLimits::symmetric([100.0; N])?,
+        acceleration_limits: AccelerationLimits::symmetric([acceleration; N])?,
+        sampling_period: period,
+        target_rate: 100.0,
+        margin: 0.0,
+    })
+}
+
+/// Distance of the nodes.
+const SPACING: f64 = 0.02;
+
+/// Nodes of a path.
+const NODES: usize = 8;
+
+/// Samples of a run.
+const SAMPLES: u32 = 24;
+
+/// A path of two joints whose path speeds are linear between its nodes, and the joint speeds of the sample before.
+struct Run {
+    plan: LookAhead<2>,
+    nodes: [[f64; 2]; NODES],
+    limit: f64,
+    lambda: f64,
+    before: [f64; 2],
+}
+
+impl Run {
+    fn greatest(&self) -> f64 {
+        self.plan.greatest_rate(&Preview { offset: self.lambda, spacing: SPACING, path_speeds: &self.nodes })
+    }
+
+    /// The interval of a place.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    fn interval(lambda: f64) -> usize {
+        ((lambda / SPACING) as usize).min(NODES - 2)
+    }
+
+    fn path_speed(&self, lambda: f64) -> [f64; 2] {
+        let node = Self::interval(lambda);
+        let share = lambda / SPACING - node as f64;
+        let ends = self.nodes.get(node).zip(self.nodes.get(node + 1));
+        ends.map_or([f64::NAN; 2], |([a, b], [c, d])| [a + share * (c - a), b + share * (d - b)])
+    }
+
+    /// Where a rate is evaluated: the sample's midpoint.
+    fn midpoint(&self, rate: f64) -> f64 {
+        self.lambda + 0.5 * TS * rate
+    }
+
+    /// The joint speed there.
+    fn joint_speed(&self, rate: f64) -> [f64; 2] {
+        self.path_speed(self.midpoint(rate)).map(|v| v * rate)
+    }
+
+    /// By how much a rate exceeds the acceleration limits, rad/s; negative inside.
+    fn excess(&self, rate: f64) -> f64 {
+        let changes = self.joint_speed(rate).into_iter().zip(self.before).map(|(v, p)| (v - p).abs());
+        changes.fold(0.0, f64::max) - TS * self.limit
+    }
+
+    /// The rate in an interval that exceeds least, by ternary search: one of the least if there are several.
+    fn lowest(&self, mut low: f64, mut high: f64) -> f64 {
+        for _ in 0..80 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if self.excess(a) <= self.excess(b) { high = b } else { low = a }
+        }
+        0.5 * (low + high)
+    }
+
+    /// The rate up to `most` that exceeds least. The excess is convex up to the curvature over a sample; where the search ends at a rate
+    /// that exceeds, it begins anew in each of a hundred parts.
+    fn best(&self, most: f64) -> f64 {
+        let whole = self.lowest(0.0, most);
+        if self.excess(whole) <= 0.0 {
+            return whole;
+        }
+        let parts = (0..100).map(f64::from).map(|k| self.lowest(0.01 * k * most, 0.01 * (k + 1.0) * most));
+        parts.fold(whole, |best, rate| if self.excess(rate) < self.excess(best) { rate } else { best })
+    }
+
+    /// The largest rate between the best and `most` that exceeds no more, found from below.
+    fn fastest(&self, best: f64, most: f64) -> f64 {
+        let unavoidable = self.excess(best).max(0.0);
+        let (mut rate, mut above) = (best, most);
+        for _ in 0..40 {
+            let middle = 0.5 * (rate + above);
+            if self.excess(middle) <= unavoidable { rate = middle } else { above = middle }
+        }
+        rate
+    }
+
+    fn go(&mut self, rate: f64) {
+        self.before = self.joint_speed(rate);
+        self.lambda += TS * rate;
+    }
+}
+
+/// A random path entered at a random place with any share of the greatest rate, and left to run between the slowest and the fastest
+/// rates that the limits allow.
+///
+/// Samples count whose evaluated places lie between the same two nodes as those before: elsewhere the path acceleration jumps between
+/// them, which is not claimed.
+///
+/// Slack. Rates are found to 2^-40 of 100 1/s, and the path speed changes by at most 2 rad over [`SPACING`], so that the joint speed
+/// `v(λ + Ts w / 2) w` changes with `w <= 100` by no more than `1 + 2 · 100 Ts / (2 SPACING) < 6` times as much: 6e-10 rad/s. Rates are
+/// searched to 1e-13 of that, and rounded to less. The limits are 5e-4 rad/s a sample and more.
+fn leaves_a_stop(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    const SLACK: f64 = 1e-9;
+    let limit = choices.decade(-0.3, 1.3);
+    let nodes = std::array::from_fn(|_| choices.numbers(-1.0, 1.0));
+    let lambda = choices.between(0.0, SPACING * (NODES - 3) as f64);
+    let mut run = Run { plan: look_ahead(TS, limit)?, nodes, limit, lambda, before: [0.0; 2] };
+    let entry = choices.share() * run.greatest();
+    let haste = choices.share();
+    let mut interval = Run::interval(run.midpoint(entry));
+    run.go(entry);
+    let mut margin = f64::INFINITY;
+    for _ in 0..SAMPLES {
+        if run.lambda > SPACING * (NODES - 2) as f64 {
+            break;
+        }
+        let most = run.greatest();
+        let best = run.best(most);
+        let rate = best + haste * (run.fastest(best, most) - best);
+        let place = Run::interval(run.midpoint(rate));
+        if std::mem::replace(&mut interval, place) == place {
+            margin = worse(margin, SLACK - run.excess(best));
+        }
+        run.go(rate);
+    }
+    Ok(margin)
+}

@@ -21,7 +21,11 @@
 //!
 //! Dropped hypothesis: that the limit is checked over the whole span, not at its ends alone.
 
+use slideway_motion::{AxisLimits, Interpolation, JointState, MotionError, MotionLimits, MotionQueue};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -40,5 +44,85 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/queue-continuity-without-whole-span.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "no_sequence_of_commands_makes_a_set_point_jump",
+        unit: "share of what a period allows",
+        about: About::Other,
+        cost: Cost::Run,
+        trial: keeps_moving,
+    }],
 };
+
+/// Acceleration limit of both joints, rad/s².
+const ACCELERATION: f64 = 4.0;
+
+/// A command that the queue may refuse.
+#[derive(Clone, Copy, Debug)]
+enum Command {
+    GoTo([f64; 2], Interpolation),
+    InterruptTo([f64; 2], Interpolation),
+    Pace(f64),
+    StopAtWayPoint,
+    BrakeOnPath,
+    BrakeFully,
+}
+
+fn command(choices: &mut Choices) -> Command {
+    let kind = choices.below(12);
+    let target = choices.numbers::<2>(-2.0, 2.0);
+    let family = choices.pick([Interpolation::Trapezoid, Interpolation::Cubic, Interpolation::BoundedJerk]);
+    match kind {
+        0..4 => Command::GoTo(target, family),
+        4..6 => Command::InterruptTo(target, choices.pick([Interpolation::Trapezoid, Interpolation::BoundedJerk])),
+        6..9 => Command::Pace(choices.share()),
+        9 => Command::StopAtWayPoint,
+        10 => Command::BrakeOnPath,
+        _ => Command::BrakeFully,
+    }
+}
+
+fn give(queue: &mut MotionQueue<2, 8>, command: Command) -> Result<(), MotionError> {
+    match command {
+        Command::GoTo(q, family) => queue.go_to(&q.into(), family)?,
+        Command::InterruptTo(q, family) => queue.interrupt_to(&q.into(), family)?,
+        Command::Pace(pace) => queue.set_rate(pace)?,
+        Command::StopAtWayPoint => queue.stop_at_way_point(),
+        Command::BrakeOnPath => queue.brake_on_path(),
+        Command::BrakeFully => queue.brake_fully(),
+    }
+    Ok(())
+}
+
+/// What a step of `h` seconds leaves of what the acceleration limit allows, as shares of it: of the speed, of the position.
+///
+/// Slack. The planner of moving states ends within 2e-8 of its target, where the queue goes on from rest; the limits are checked to
+/// 1e-9 of them.
+fn room(before: &JointState<2>, after: &JointState<2>, h: f64) -> f64 {
+    let slack = 2e-8 + 1e-9;
+    let speed = (after.qd - before.qd).amax() - slack;
+    let position = (after.q - before.q - before.qd * h).amax() - slack;
+    worse(1.0 - speed / (ACCELERATION * h), 1.0 - position / (0.5 * ACCELERATION * h * h))
+}
+
+/// Up to seven commands at random times, 2 to 20 ms between set-points or one. A command that is refused changes nothing: that is part
+/// of what is checked.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn keeps_moving(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let limits = MotionLimits::without_stops([AxisLimits::new(1.5, ACCELERATION, 60.0)?; 2]);
+    let mut queue = MotionQueue::<2, 8>::new(limits, [0.0, 0.0].into())?;
+    let varied = choices.between(2e-3, 2e-2);
+    let period = choices.pick([1e-3, varied, varied, varied]);
+    let mut before = queue.set_point();
+    let mut margin = f64::INFINITY;
+    for _ in 0..1 + choices.below(7) {
+        let command = command(choices);
+        let samples = (choices.between(0.0, 0.6) / period) as usize;
+        let _ = give(&mut queue, command);
+        for _ in 0..samples {
+            let after = queue.advance(period)?;
+            margin = worse(margin, room(&before, &after, period));
+            before = after;
+        }
+    }
+    Ok(margin)
+}

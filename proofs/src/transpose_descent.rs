@@ -13,7 +13,13 @@
 //!
 //! Dropped hypothesis: full row rank. `V` does not grow then, but an error may stay.
 
+use slideway_motion::control::task_space::{RateController, RateLaw, ToolGains, ToolReference, pose_error};
+use slideway_robot::models::puma560;
+use slideway_robot::{JointVector, Task};
+
 use crate::claim::{Claim, Script, Twin, Verdict};
+use crate::engine::{About, Choices, Cost, Engine, Stop};
+use crate::subject::Subject;
 
 /// The claim and its scripts.
 pub const CLAIM: Claim = Claim {
@@ -29,5 +35,34 @@ pub const CLAIM: Claim = Claim {
             text: include_str!("../smt/transpose-descent-without-full-rank.smt2"),
         },
     }],
-    engines: &[],
+    engines: &[Engine {
+        name: "the_potential_falls_by_the_square_of_the_speeds",
+        unit: "share of the slack",
+        about: About::Other,
+        cost: Cost::Sample,
+        trial: falls,
+    }],
 };
+
+/// The position of the PUMA-560's tool: `V̇` by central differences over `h` along the joint speeds.
+///
+/// Slack. A central difference leaves `h²/6` of the third derivative, which is at most `8 V |q̇|³` with positions of the size of 1 m and
+/// `4 V |q̇|² k |x| |q̇|` beside it; roundings of `V` over `h`.
+fn falls(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
+    let k = choices.decade(-1.0, 1.0);
+    let mut joints = || JointVector::<6>::from(choices.numbers::<6>(-3.1, 3.1));
+    let (q, goal) = (joints(), joints());
+    let arm = puma560();
+    let gains = ToolGains::uniform(k, k)?;
+    let desired = ToolReference::at_rest(arm.forward(&goal));
+    let largest = JointVector::from_element(f64::INFINITY);
+    let controller = RateController::new(arm.clone(), Task::Position, RateLaw::Transpose, gains, largest)?;
+    let rates = controller.step(&desired, &q).rates;
+    let error = |q: JointVector<6>| Task::Position.select(&pose_error(&desired.pose, &arm.forward(&q)));
+    let potential = |q: JointVector<6>| gains.energy(&error(q));
+    let speed = rates.norm();
+    let h = 1e-5 / (1.0 + speed);
+    let rate = (potential(q + rates * h) - potential(q - rates * h)) / (2.0 * h);
+    let slack = k * (1.0 + speed).powi(3) * 12.0 * h * h + 1e-14 * k / h;
+    Ok(1.0 - (rate + rates.norm_squared()).abs() / slack)
+}

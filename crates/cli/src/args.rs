@@ -38,6 +38,8 @@ pub(crate) enum Command {
     Study(StudyArguments),
     /// Print the ledger of claims: what is proven, and what a run of the property tests measures here and now.
     ///
+    /// The same numbers on any number of cores. A long run can be made claim by claim: `slideway claims NAME --level nightly`.
+    ///
     /// Exit status: 0 every claim holds, 1 one is violated or its proof fails, 2 the input is wrong.
     Claims(ClaimsArguments),
     /// Search for counterexamples by simulated annealing on the margin of each claim.
@@ -107,7 +109,7 @@ pub(crate) struct ReproduceArguments {
 pub(crate) enum Level {
     /// 2,000 cases a property: seconds.
     Quick,
-    /// 100,000: a minute or two.
+    /// 100,000: some minutes.
     Smoke,
     /// 10,000,000: a night.
     Nightly,
@@ -115,21 +117,30 @@ pub(crate) enum Level {
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct ClaimsArguments {
+    /// This claim alone [default: all of them].
+    #[arg(conflicts_with = "markdown")]
+    pub(crate) claim: Option<String>,
     /// How long to run.
     #[arg(long, value_enum, default_value_t = Level::Quick)]
     pub(crate) level: Level,
     /// Cases per property, instead of a level.
     #[arg(long, value_name = "N")]
     pub(crate) cases: Option<NonZeroU64>,
-    /// This claim alone.
-    #[arg(long, value_name = "NAME", conflicts_with = "markdown")]
-    pub(crate) claim: Option<String>,
     /// Print JSON instead of the table.
     #[arg(long, conflicts_with = "markdown")]
     pub(crate) json: bool,
     /// Print the text of proofs/CLAIMS.md.
     #[arg(long)]
     pub(crate) markdown: bool,
+    /// Write claims.json, a page, and figures of the statements that do not hold.
+    #[arg(long, value_name = "DIR", conflicts_with = "markdown")]
+    pub(crate) out: Option<PathBuf>,
+    /// See one case again: of a file that `slideway attack --out DIR` has written.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["claim", "case", "json", "markdown", "out", "level", "cases"])]
+    pub(crate) replay: Option<PathBuf>,
+    /// See one case again: of every property of the claim, by its number.
+    #[arg(long, value_name = "N", requires = "claim", conflicts_with_all = ["json", "out", "level", "cases"])]
+    pub(crate) case: Option<u64>,
 }
 
 #[derive(Debug, clap::Args)]
@@ -137,12 +148,14 @@ pub(crate) struct AttackArguments {
     /// How long to search, all claims together, in minutes.
     #[arg(long, value_name = "M", default_value_t = 1.0)]
     pub(crate) minutes: f64,
-    /// This claim alone.
-    #[arg(long, value_name = "NAME")]
+    /// This claim alone [default: all of them].
     pub(crate) claim: Option<String>,
     /// Where the random sequence begins; another one searches elsewhere.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) seed: u64,
+    /// Write the closest case of each property into this folder, for `slideway claims --replay FILE`.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, clap::Args)]

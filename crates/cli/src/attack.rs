@@ -1,10 +1,13 @@
 use crate::args::AttackArguments;
 use crate::claims::{bar, chosen};
 use crate::diagnostic::CliError;
-use crate::output::{Outcome, print};
+use crate::output::{Outcome, create, print};
+use slideway_proofs::Claim;
 use slideway_proofs::engine::{Attack, Engine, Found};
+use slideway_proofs::kept::KeptCase;
 use slideway_proofs::ledger::margin_in_words;
 use slideway_proofs::subject::Subject;
+use std::path::Path;
 use std::time::Duration;
 
 /// Moves between two restarts.
@@ -19,25 +22,38 @@ pub(crate) fn run(arguments: &AttackArguments) -> Result<Outcome, CliError> {
         return Err(CliError::Option { option: "minutes", value: arguments.minutes, remedy });
     }
     let claims = chosen(arguments.claim.as_deref())?;
-    let engines: Vec<(&str, &Engine)> =
-        claims.iter().flat_map(|claim| claim.engines.iter().map(|engine| (claim.name, engine))).collect();
+    if let Some(out) = &arguments.out {
+        std::fs::create_dir_all(out).map_err(|source| CliError::Write { path: out.clone(), source })?;
+    }
+    let engines: Vec<(&Claim, &Engine)> =
+        claims.iter().flat_map(|claim| claim.engines.iter().map(|engine| (*claim, engine))).collect();
     let share = Duration::from_secs_f64(60.0 * arguments.minutes / engines.len().max(1) as f64);
     let attack = Attack { seed: arguments.seed, restart: RESTART, limit: share };
     let bar = bar(engines.len() as u64);
     let mut outcome = Outcome::Holds;
     for (claim, engine) in engines {
         let found = attack.run(engine, Subject::Shipped, |tried, margin| {
-            bar.set_message(format!("{claim}: {tried} cases, margin {}", margin_in_words(margin)));
+            bar.set_message(format!("{}: {tried} cases, margin {}", claim.name, margin_in_words(margin)));
         });
         bar.inc(1);
-        let line = described(claim, engine, &found);
+        let line = described(claim.name, engine, &found);
         bar.suspend(|| print(&line));
+        if let Some(out) = &arguments.out {
+            write(out, &KeptCase::found(claim, engine, &found))?;
+        }
         if found.violation.is_some() {
             outcome = Outcome::Fails;
         }
     }
     bar.finish_and_clear();
     Ok(outcome)
+}
+
+fn write(out: &Path, case: &KeptCase) -> Result<(), CliError> {
+    create(out.join(case.file_name()), |file| {
+        serde_json::to_writer_pretty(&mut *file, case)?;
+        file.write_all(b"\n")
+    })
 }
 
 fn described(claim: &str, engine: &Engine, found: &Found) -> String {

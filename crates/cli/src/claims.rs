@@ -1,10 +1,12 @@
 use crate::args::{ClaimsArguments, Level};
+use crate::claims_json::{json, proof_in_words};
+use crate::claims_report::write_report;
 use crate::diagnostic::CliError;
 use crate::loaded::edit_distance;
 use crate::output::{Outcome, print};
+use crate::replay;
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde::Serialize;
 use slideway_proofs::ledger::{
     Entry, NIGHTLY, ProofStatus, SEED, SMOKE, margin_in_words, markdown, prove, verdict_in_words,
 };
@@ -19,8 +21,15 @@ pub(crate) fn run(arguments: &ClaimsArguments) -> Result<Outcome, CliError> {
         Level::Smoke => SMOKE,
         Level::Nightly => NIGHTLY,
     };
+    if let Some(file) = &arguments.replay {
+        return replay::file(file);
+    }
+    let claims = chosen(arguments.claim.as_deref())?;
+    if let Some(case) = arguments.case {
+        return Ok(replay::case(&claims, case));
+    }
     let cases = arguments.cases.map_or(level, std::num::NonZeroU64::get);
-    let entries = measured(&chosen(arguments.claim.as_deref())?, cases);
+    let entries = measured(&claims, cases);
     let proofs: Vec<ProofStatus> = entries.iter().map(|entry| prove(entry.claim)).collect();
     if arguments.markdown {
         print(&markdown(&entries, cases));
@@ -28,6 +37,10 @@ pub(crate) fn run(arguments: &ClaimsArguments) -> Result<Outcome, CliError> {
         print(&json(&entries, &proofs));
     } else {
         print(&table(&entries, &proofs));
+    }
+    if let Some(out) = &arguments.out {
+        let page = write_report(out, &entries, &proofs)?;
+        eprintln!("wrote {}", page.display());
     }
     violations(&entries);
     let holds = entries.iter().all(|entry| entry.violated().next().is_none());
@@ -55,27 +68,22 @@ pub(crate) fn bar(length: u64) -> ProgressBar {
     bar
 }
 
+/// Runs every property, with a step of the bar for each and its cases beside it.
 fn measured(claims: &[&'static Claim], cases: u64) -> Vec<Entry> {
-    let bar = bar(claims.len() as u64);
-    let entries = claims
-        .iter()
-        .map(|claim| {
-            bar.set_message(claim.name);
-            let entry = Entry::measure(claim, SEED, cases);
-            bar.inc(1);
-            entry
-        })
-        .collect();
+    let bar = bar(claims.iter().map(|claim| claim.engines.len() as u64).sum());
+    let mut entries = Vec::new();
+    for claim in claims {
+        let done = bar.position();
+        let mut properties = 0;
+        entries.push(Entry::measure(claim, SEED, cases, |engine, tried| {
+            properties += u64::from(tried == 0);
+            bar.set_position(done + properties - 1);
+            bar.set_message(format!("{}: {tried} of {cases}, {}", claim.name, engine.name));
+        }));
+        bar.set_position(done + properties);
+    }
     bar.finish_and_clear();
     entries
-}
-
-fn proof_in_words(status: &ProofStatus) -> &str {
-    match status {
-        ProofStatus::Proven => "proven",
-        ProofStatus::Failed(_) => "FAILED",
-        ProofStatus::Unchecked(_) => "no z3",
-    }
 }
 
 fn table(entries: &[Entry], proofs: &[ProofStatus]) -> String {
@@ -84,13 +92,12 @@ fn table(entries: &[Entry], proofs: &[ProofStatus]) -> String {
     table.set_header(["claim", "source", "its statement", "proof", "cases", "smallest margin"]);
     for (entry, proof) in entries.iter().zip(proofs) {
         let margins: Vec<String> = entry.measured.iter().map(|m| margin_in_words(m.report.smallest)).collect();
-        let tried = if entry.measured.is_empty() { "tests only".to_owned() } else { entry.tried().to_string() };
         table.add_row([
             entry.claim.name,
             entry.claim.source,
             verdict_in_words(entry.claim.verdict),
             proof_in_words(proof),
-            &tried,
+            &entry.tried().to_string(),
             &margins.join("\n"),
         ]);
     }
@@ -112,75 +119,13 @@ fn violations(entries: &[Entry]) {
         for measured in entry.violated() {
             if let Some(violation) = &measured.report.violation {
                 eprintln!(
-                    "{}, {}: violated by case {} of seed {SEED}: {}; choices {:?}",
-                    entry.claim.name, measured.engine.name, violation.case, violation.what, violation.choices
+                    "{name}, {}: violated by case {case} of seed {SEED}: {}; see it again with `slideway claims {name} --case {case}`",
+                    measured.engine.name,
+                    violation.what,
+                    name = entry.claim.name,
+                    case = violation.case
                 );
             }
         }
-    }
-}
-
-#[derive(Serialize)]
-struct ClaimEntry<'a> {
-    name: &'a str,
-    statement: &'a str,
-    source: &'a str,
-    verdict: &'a str,
-    proof: &'a str,
-    negations: Vec<&'a str>,
-    twins: Vec<&'a str>,
-    properties: Vec<PropertyEntry<'a>>,
-}
-
-#[derive(Serialize)]
-struct PropertyEntry<'a> {
-    name: &'a str,
-    unit: &'a str,
-    seed: u64,
-    cases: u64,
-    skipped: u64,
-    /// Null where nothing is measured: the claim is exact.
-    smallest_margin: Option<f64>,
-    closest_case: u64,
-    violation: Option<ViolationEntry<'a>>,
-}
-
-#[derive(Serialize)]
-struct ViolationEntry<'a> {
-    case: u64,
-    what: &'a str,
-    choices: &'a [f64],
-}
-
-fn json(entries: &[Entry], proofs: &[ProofStatus]) -> String {
-    let list: Vec<ClaimEntry> = entries.iter().zip(proofs).map(|(entry, proof)| claim_entry(entry, proof)).collect();
-    // Strings and finite numbers: nothing that JSON cannot hold.
-    serde_json::to_string_pretty(&list).map(|text| text + "\n").unwrap_or_default()
-}
-
-fn claim_entry<'a>(entry: &'a Entry, proof: &'a ProofStatus) -> ClaimEntry<'a> {
-    let property = |m: &'a slideway_proofs::ledger::Measured| PropertyEntry {
-        name: m.engine.name,
-        unit: m.engine.unit,
-        seed: SEED,
-        cases: m.report.tried,
-        skipped: m.report.skipped,
-        smallest_margin: m.report.smallest.is_finite().then_some(m.report.smallest),
-        closest_case: m.report.closest,
-        violation: m.report.violation.as_ref().map(|v| ViolationEntry {
-            case: v.case,
-            what: &v.what,
-            choices: &v.choices,
-        }),
-    };
-    ClaimEntry {
-        name: entry.claim.name,
-        statement: entry.claim.statement,
-        source: entry.claim.source,
-        verdict: verdict_in_words(entry.claim.verdict),
-        proof: proof_in_words(proof),
-        negations: entry.claim.negations.iter().map(|script| script.file).collect(),
-        twins: entry.claim.twins.iter().map(|twin| twin.without).collect(),
-        properties: entry.measured.iter().map(property).collect(),
     }
 }

@@ -4,6 +4,7 @@ use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
 use slideway_lab::{LabError, locate};
+use slideway_proofs::kept::KeptError;
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
 use slideway_study::{Study, StudyError};
@@ -23,6 +24,9 @@ pub(crate) enum CliError {
     /// No claim of that name.
     #[error("there is no claim called `{name}`")]
     UnknownClaim { name: String, nearest: Option<&'static str> },
+    /// A case that cannot be replayed.
+    #[error("{}: {error}", path.display())]
+    Kept { path: PathBuf, error: KeptError },
     /// An option with a value that makes no sense.
     #[error("--{option} is {value}")]
     Option { option: &'static str, value: f64, remedy: &'static str },
@@ -100,6 +104,7 @@ impl CliError {
             Self::UnknownScenario { nearest: None, .. } => {
                 "`slideway list` shows the built-in scenarios, `slideway init FILE` writes one of your own".into()
             }
+            Self::Kept { error, .. } => error.remedy().into(),
             Self::Option { remedy, .. } => (*remedy).into(),
             Self::UnknownRobot { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
             Self::UnknownRobot { nearest: None, .. } => {

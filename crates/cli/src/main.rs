@@ -5,6 +5,8 @@
 mod args;
 mod attack;
 mod claims;
+mod claims_json;
+mod claims_report;
 mod commands;
 mod compare;
 mod compare_path;
@@ -19,6 +21,7 @@ mod loaded;
 mod output;
 mod path_report;
 mod path_summary;
+mod replay;
 mod report;
 mod reproduce;
 mod robot;

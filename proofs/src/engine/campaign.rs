@@ -64,17 +64,22 @@ impl Report {
     }
 }
 
+/// Cases between two reports of progress; the cores meet so often.
+const PART: u64 = 4_096;
+
 /// Tries `cases` cases that meet the hypotheses, on all cores; the report does not depend on their number.
 ///
-/// Gives up, with fewer tried, once a hundred times as many cases have been skipped.
+/// Gives up, with fewer tried, once a hundred times as many cases have been skipped. `progress` is told now and then how many were tried.
 #[must_use]
-pub fn campaign(engine: &Engine, subject: Subject, seed: u64, cases: u64) -> Report {
+pub fn campaign(engine: &Engine, subject: Subject, seed: u64, cases: u64, mut progress: impl FnMut(u64)) -> Report {
     let mut report = Report::EMPTY;
     let mut next = 0;
     while report.tried < cases && next < cases.saturating_mul(100) {
-        let range = next..next + (cases - report.tried);
+        // The cases tried are the first that are enough, in parts of any size: none is begun that may not be needed.
+        let range = next..next + (cases - report.tried).min(PART);
         next = range.end;
         report = report.and(part(engine, subject, seed, range));
+        progress(report.tried);
     }
     report
 }
@@ -84,4 +89,47 @@ fn part(engine: &Engine, subject: Subject, seed: u64, range: Range<u64>) -> Repo
         .into_par_iter()
         .fold(|| Report::EMPTY, |report, case| report.and(Report::of(engine, subject, seed, case)))
         .reduce(|| Report::EMPTY, Report::and)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error;
+
+    use rayon::ThreadPoolBuilder;
+
+    use super::{PART, Report, campaign};
+    use crate::CLAIMS;
+    use crate::subject::{Fault, Subject};
+
+    /// Campaigns of some claims that skip cases and some that do not.
+    fn reports(subject: Subject) -> Vec<Report> {
+        let claims = CLAIMS.iter().filter(|claim| ["frozen-band", "farkas", "switching"].contains(&claim.name));
+        // One part and some more.
+        let cases = PART + 500;
+        claims.flat_map(|claim| claim.engines).map(|engine| campaign(engine, subject, 1, cases, |_| ())).collect()
+    }
+
+    #[test]
+    fn the_report_is_the_same_for_any_number_of_threads() -> Result<(), Box<dyn Error>> {
+        let on = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
+        for subject in [Subject::Shipped, Subject::Broken(Fault::SwitchDelayed)] {
+            let alone = on(1)?.install(|| reports(subject));
+            assert!(alone.iter().all(|report| report.tried == PART + 500) && alone.iter().any(|r| r.skipped > 0));
+            assert_eq!(alone.iter().any(|report| report.violation.is_some()), subject != Subject::Shipped);
+            for threads in [2, 7] {
+                assert_eq!(on(threads)?.install(|| reports(subject)), alone);
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn progress_is_told_up_to_the_last_case() {
+        let mut told = Vec::new();
+        for engine in CLAIMS.iter().take(1).flat_map(|claim| claim.engines.iter().take(1)) {
+            let report = campaign(engine, Subject::Shipped, 1, 2 * PART + 1, |tried| told.push(tried));
+            assert_eq!(told.last(), Some(&report.tried));
+        }
+        assert!(told.is_sorted() && told.len() >= 3);
+    }
 }

@@ -26,6 +26,8 @@ pub enum Cost {
     Sample,
     /// A whole run or a conic program: a fraction of a millisecond.
     Run,
+    /// A motion of an arm, planned and followed: a millisecond.
+    Motion,
 }
 
 /// The property test of a claim.
@@ -68,6 +70,24 @@ pub enum Stop {
 
 impl From<slideway_conditioner::ParameterError> for Stop {
     fn from(error: slideway_conditioner::ParameterError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
+impl From<slideway_motion::MotionError> for Stop {
+    fn from(error: slideway_motion::MotionError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
+impl From<slideway_robot::RobotError> for Stop {
+    fn from(error: slideway_robot::RobotError) -> Self {
+        Self::Refused(error.to_string())
+    }
+}
+
+impl From<slideway_robot::DynamicsError> for Stop {
+    fn from(error: slideway_robot::DynamicsError) -> Self {
         Self::Refused(error.to_string())
     }
 }

@@ -8,11 +8,11 @@ use slideway_proofs::z3::{self, Z3Error};
 use slideway_proofs::{CLAIMS, Script};
 
 #[test]
-fn every_claim_has_a_name_of_its_own_a_proof_and_a_twin() {
+fn every_claim_has_a_name_of_its_own_a_proof_a_twin_and_an_engine() {
     let names: HashSet<_> = CLAIMS.iter().map(|claim| claim.name).collect();
     assert_eq!(names.len(), CLAIMS.len());
     for claim in CLAIMS {
-        assert!(!claim.negations.is_empty() && !claim.twins.is_empty(), "{}", claim.name);
+        assert!(!claim.negations.is_empty() && !claim.twins.is_empty() && !claim.engines.is_empty(), "{}", claim.name);
     }
 }
 

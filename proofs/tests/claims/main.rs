@@ -36,6 +36,7 @@ mod path_reserve;
 mod path_support;
 mod projection;
 mod queue_continuity;
+mod regressions;
 mod repair_feasible;
 mod support;
 mod switching;

@@ -45,6 +45,7 @@ pub(crate) fn holds(claim: &Claim) -> Outcome {
         let cases = match engine.cost {
             Cost::Sample => 10_000,
             Cost::Run => 2_000,
+            Cost::Motion => 300,
         };
         let mut runner = TestRunner::new(ProptestConfig { cases, ..config() });
         let kept = runner.run(&proptest::collection::vec(0.0..1.0, 0..200), |choices| {
