@@ -6,6 +6,7 @@
 
 mod campaign;
 mod error;
+pub mod number;
 mod statement;
 mod trial;
 

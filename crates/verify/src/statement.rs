@@ -20,10 +20,12 @@ pub struct Hypothesis {
     /// In plain words and symbols.
     pub text: String,
     /// What the scenario has.
+    #[serde(with = "crate::number")]
     pub value: f64,
     /// How it has to stand to `needed`.
     pub relation: Relation,
     /// What is needed.
+    #[serde(with = "crate::number")]
     pub needed: f64,
     /// Unit of both.
     pub unit: String,
@@ -52,14 +54,17 @@ pub struct Guarantee {
     /// In plain words and symbols.
     pub text: String,
     /// Least value, if it is bounded from below.
+    #[serde(with = "crate::number::option")]
     pub lower: Option<f64>,
     /// Greatest value, if it is bounded from above.
+    #[serde(with = "crate::number::option")]
     pub upper: Option<f64>,
     /// Unit.
     pub unit: String,
     /// Names of the hypotheses it rests on, all of which hold.
     pub rests_on: Vec<String>,
     /// The value in the scenario as it is, without disturbances; `None` where it has none.
+    #[serde(with = "crate::number::option")]
     pub measured: Option<f64>,
 }
 

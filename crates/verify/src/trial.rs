@@ -6,10 +6,13 @@ pub struct Check {
     /// Name of the guarantee.
     pub guarantee: String,
     /// What was measured.
+    #[serde(with = "crate::number")]
     pub measured: f64,
     /// The bound that it came nearest to, or exceeded.
+    #[serde(with = "crate::number")]
     pub bound: f64,
     /// Distance from the bound as a share of its size; negative where it is exceeded, NaN counts as exceeded.
+    #[serde(with = "crate::number")]
     pub margin: f64,
     /// Unit of both.
     pub unit: String,
@@ -29,6 +32,7 @@ pub struct Trial {
     /// Number in the campaign, from 0.
     pub number: u64,
     /// Size of the disturbances, 0 none to 1 the whole range asked for: what a smallest case is smallest in.
+    #[serde(with = "crate::number")]
     pub size: f64,
     /// The disturbances, as the `[disturbances]` table of a scenario.
     pub disturbances: toml::Table,

@@ -1,0 +1,109 @@
+//! The results as one page that opens from disk.
+
+use crate::report::{Page, escape};
+use crate::table::short;
+use crate::verify_results::{GuaranteeResult, HypothesisResult, Results};
+use crate::verify_words::{as_it_is, bound, failing, nearest, percent, with_unit};
+use slideway_figures::Rendered;
+use slideway_verify::Relation;
+
+pub(crate) fn render(results: &Results, text: &str, figures: &[Rendered]) -> String {
+    let title = format!("What {} guarantees under {}", results.scenario, results.method);
+    let description = format!(
+        "{} trials around the scenario, each under disturbances of its own drawn from seed {}.",
+        results.trials, results.seed
+    );
+    let page = Page {
+        title: &title,
+        description: &description,
+        holds: results.holds,
+        verdict: &results.verdict,
+        body: failures(results) + &guarantees(results) + &hypotheses(results),
+        figures,
+        scenario: Some(text),
+    };
+    page.render()
+}
+
+fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| -> String {
+        cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell))).collect()
+    };
+    let rows: String =
+        rows.map(|row| format!("<tr>{}</tr>\n", cells("td", &mut row.iter().map(String::as_str)))).collect();
+    format!(
+        "<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
+        cells("th", &mut header.iter().copied())
+    )
+}
+
+fn hypotheses(results: &Results) -> String {
+    if results.hypotheses.is_empty() {
+        return String::new();
+    }
+    let outside = |name: &str| results.trials_outside.get(name).copied().unwrap_or(0).to_string();
+    let row = |result: &HypothesisResult| {
+        let h = &result.hypothesis;
+        let needs = match h.relation {
+            Relation::AtLeast => "at least",
+            Relation::AtMost => "at most",
+        };
+        vec![
+            h.name.clone(),
+            h.remedy.as_ref().map_or_else(|| h.text.clone(), |remedy| format!("{} Remedy: {remedy}", h.text)),
+            with_unit(h.value, &h.unit),
+            format!("{needs} {}", with_unit(h.needed, &h.unit)),
+            percent(result.margin),
+            if result.holds { "holds".into() } else { "fails".into() },
+            outside(&h.name),
+            h.claim.clone(),
+        ]
+    };
+    let header = ["hypothesis", "", "has", "needs", "margin", "", "trials outside", "claim"];
+    format!("<h2>What the claims ask for</h2>\n{}", table(&header, results.hypotheses.iter().map(row)))
+}
+
+fn guarantees(results: &Results) -> String {
+    if results.guarantees.is_empty() {
+        return String::new();
+    }
+    let row = |g: &GuaranteeResult| {
+        let stated = g.stated.as_ref();
+        vec![
+            g.name.clone(),
+            stated.map_or_else(|| "checked in each trial".to_owned(), |s| s.text.clone()),
+            bound(g),
+            as_it_is(stated),
+            g.trials_checked.to_string(),
+            nearest(g),
+            g.violations.to_string(),
+            stated.map_or_else(|| g.name.clone(), |s| s.claim.clone()),
+        ]
+    };
+    let header =
+        ["guarantee", "", "bound", "scenario as it is", "trials checked", "smallest margin", "violations", "claim"];
+    let note = "<p class=\"note\">A margin is the distance from the bound as a share of its size. A trial outside a \
+                hypothesis is not held against what rests on it.</p>\n";
+    format!("<h2>What is guaranteed</h2>\n{}{note}", table(&header, results.guarantees.iter().map(row)))
+}
+
+/// The violated guarantees with their smallest cases; nothing if all were kept.
+fn failures(results: &Results) -> String {
+    let one = |g: &GuaranteeResult| {
+        let lines: String = failing(g, results.seed).iter().map(|line| format!("<p>{}</p>\n", escape(line))).collect();
+        lines + &g.failing.as_ref().map_or_else(String::new, |f| smallest(&f.smallest, &f.file))
+    };
+    let all: String = results.guarantees.iter().filter(|g| !g.kept()).map(one).collect();
+    if all.is_empty() { all } else { format!("<h2>What was violated</h2>\n{all}") }
+}
+
+fn smallest(trial: &slideway_verify::Trial, file: &str) -> String {
+    let disturbances = toml::to_string(&trial.disturbances).unwrap_or_default();
+    let checks = trial
+        .checks
+        .iter()
+        .filter(|check| !check.kept())
+        .map(|check| format!("# {}: {}, bound {}\n", check.guarantee, short(check.measured), short(check.bound)));
+    let checks: String = checks.collect();
+    format!("<pre>{}</pre>\n", escape(&format!("# slideway compare {file}\n{checks}[disturbances]\n{disturbances}")))
+}
