@@ -50,17 +50,22 @@ fn hypotheses(results: &Results) -> String {
         };
         vec![
             h.name.clone(),
-            h.remedy.as_ref().map_or_else(|| h.text.clone(), |remedy| format!("{} Remedy: {remedy}", h.text)),
+            described(&h.text, &h.claim, h.remedy.as_deref()),
             with_unit(h.value, &h.unit),
             format!("{needs} {}", with_unit(h.needed, &h.unit)),
             percent(result.margin),
             if result.holds { "holds".into() } else { "fails".into() },
             outside(&h.name),
-            h.claim.clone(),
         ]
     };
-    let header = ["hypothesis", "", "has", "needs", "margin", "", "trials outside", "claim"];
+    let header = ["hypothesis", "", "has", "needs", "margin", "", "trials outside"];
     format!("<h2>What the claims ask for</h2>\n{}", table(&header, results.hypotheses.iter().map(row)))
+}
+
+/// What a hypothesis or guarantee says, the claim it belongs to, and what to do.
+fn described(text: &str, claim: &str, remedy: Option<&str>) -> String {
+    let remedy = remedy.map_or(String::new(), |remedy| format!(" Remedy: {remedy}."));
+    format!("{text} (claim {claim}).{remedy}")
 }
 
 fn guarantees(results: &Results) -> String {
@@ -71,17 +76,15 @@ fn guarantees(results: &Results) -> String {
         let stated = g.stated.as_ref();
         vec![
             g.name.clone(),
-            stated.map_or_else(|| "checked in each trial".to_owned(), |s| s.text.clone()),
+            stated.map_or_else(|| "Checked in each trial.".to_owned(), |s| described(&s.text, &s.claim, None)),
             bound(g),
             as_it_is(stated),
             g.trials_checked.to_string(),
             nearest(g),
             g.violations.to_string(),
-            stated.map_or_else(|| g.name.clone(), |s| s.claim.clone()),
         ]
     };
-    let header =
-        ["guarantee", "", "bound", "scenario as it is", "trials checked", "smallest margin", "violations", "claim"];
+    let header = ["guarantee", "", "bound", "scenario as it is", "trials checked", "smallest margin", "violations"];
     let note = "<p class=\"note\">A margin is the distance from the bound as a share of its size. A trial outside a \
                 hypothesis is not held against what rests on it.</p>\n";
     format!("<h2>What is guaranteed</h2>\n{}{note}", table(&header, results.guarantees.iter().map(row)))
