@@ -527,3 +527,69 @@ fn a_file_that_no_campaign_wrote_is_neither_used_nor_changed() {
         assert_eq!(read(folder.path(), "out/trials.jsonl"), foreign);
     }
 }
+
+/// A planar arm on a joint path whose way-points are in a file.
+const FROM_FILE: &str = r#"
+[robot]
+model = "planar-2r"
+[path.joints.spline]
+csv = "data/points.csv"
+[limits]
+speed = 1
+[control]
+gain = 10
+sampling_period = 1e-3
+bandwidth = 50
+target_rate = 2
+"#;
+
+#[test]
+fn a_failing_case_has_the_files_it_names_beside_it_after_a_merge_too() {
+    let folder = folder();
+    let points = "q1,q2\n0,0.5\n0.2,0.7\n0.3,1.1\n0.5,1.2\n";
+    std::fs::create_dir_all(folder.path().join("mine/data")).expect("folder");
+    std::fs::write(folder.path().join("mine/arm.toml"), FROM_FILE).expect("written");
+    std::fs::write(folder.path().join("mine/data/points.csv"), points).expect("written");
+    let arguments = ["verify", "mine/arm.toml", "--trials", "3", "--out", "out"];
+    let (status, printed) = run(folder.path(), &arguments);
+    assert!(status == 0 || status == 1, "{printed}");
+    let identity = parsed(read(folder.path(), "out/trials.jsonl").lines().next().expect("a line"));
+    let mut case = smallest(2);
+    case["scenario"] = json!(FROM_FILE);
+    write_journal(folder.path(), "out", &identity, &[trial(0), trial(1), trial(2), case]);
+    assert_eq!(run(folder.path(), &arguments).0, 1);
+    assert_eq!(merge(folder.path(), &["out".to_owned()], "merged").0, 1);
+    for out in ["out", "merged"] {
+        assert_eq!(read(folder.path(), &format!("{out}/data/points.csv")), points);
+        let compared = run(folder.path(), &["compare", &format!("{out}/failing-depth.toml"), "--out", "compared"]);
+        assert_ne!(compared.0, 2, "{}", compared.1);
+    }
+    // The trials depend on the file: a campaign does not go on with another one.
+    std::fs::write(folder.path().join("mine/data/points.csv"), points.replace("0.7", "0.8")).expect("written");
+    refused(folder.path(), &arguments, "text of its files was `0.2,0.7` in line 3, now it is `0.2,0.8` in line 3");
+}
+
+#[test]
+fn trials_and_seed_are_the_commands_else_the_scenarios_else_the_quick_levels() {
+    let folder = folder();
+    let own = format!("{}\n[verify]\ntrials = 7\nseed = 3\n", built_in());
+    std::fs::write(folder.path().join("own.toml"), own).expect("written");
+    std::fs::write(folder.path().join("plain.toml"), built_in()).expect("written");
+    for (i, (arguments, trials, seed)) in [
+        (vec!["own.toml"], 7, 3),
+        (vec!["own.toml", "--trials", "2", "--seed", "9"], 2, 9),
+        (vec!["own.toml", "--level", "quick"], 100, 3),
+        (vec!["plain.toml"], 100, 1),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let out = format!("out-{i}");
+        let all: Vec<&str> = ["verify"].into_iter().chain(arguments).chain(["--out", &out]).collect();
+        let (status, printed) = run(folder.path(), &all);
+        assert!(status == 0 || status == 1, "{printed}");
+        let found = parsed(&read(folder.path(), &format!("{out}/verify.json")));
+        assert_eq!((&found["trials"], &found["seed"]), (&json!(trials), &json!(seed)), "{all:?}");
+    }
+    refused(folder.path(), &["verify", "own.toml", "--level", "quick", "--trials", "3"], "--level");
+}

@@ -283,13 +283,13 @@ impl VerifyLevel {
 pub(crate) struct VerifyArguments {
     /// Name of a built-in scenario, or path of a scenario file (TOML).
     pub(crate) scenario: String,
-    /// How many trials.
-    #[arg(long, value_enum, default_value_t = VerifyLevel::Quick)]
-    pub(crate) level: VerifyLevel,
+    /// How many trials [default: the scenario's, else quick].
+    #[arg(long, value_enum)]
+    pub(crate) level: Option<VerifyLevel>,
     /// Trials, instead of a level.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_TRIALS))]
+    #[arg(long, value_name = "N", conflicts_with = "level", value_parser = clap::value_parser!(u64).range(1..=MAX_TRIALS))]
     pub(crate) trials: Option<u64>,
-    /// Seed of the disturbances [default: 1].
+    /// Seed of the disturbances [default: the scenario's, else 1].
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,
     /// The method [default: the one that `compare` judges].
@@ -320,4 +320,33 @@ pub(crate) struct MergeArguments {
     /// Print verify.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the shell and the CI fill in, by something of its kind.
+    const FILLED: [(&str, &str); 2] = [("${{ matrix.shard }}", "1"), ("\"$LEVEL\"", "nightly")];
+
+    #[test]
+    fn every_command_in_the_guide_to_ci_is_one_that_this_command_line_takes() {
+        let guide = include_str!("../../../docs/ci.md");
+        let blocks = guide.split("```").skip(1).step_by(2);
+        let lines =
+            blocks.flat_map(str::lines).map(|line| line.trim().trim_start_matches("- ").trim_start_matches("run: "));
+        let commands: Vec<String> = lines
+            .filter(|line| line.starts_with("slideway "))
+            .map(|line| FILLED.iter().fold(line.to_owned(), |line, (blank, filling)| line.replace(blank, filling)))
+            .collect();
+        assert!(commands.len() >= 7, "{commands:?}");
+        for command in &commands {
+            assert!(!command.contains(['$', '"']), "a blank that the test does not fill: {command}");
+            let parsed = Arguments::try_parse_from(command.split_whitespace());
+            assert!(parsed.is_ok(), "{command}: {}", parsed.err().map_or(String::new(), |error| error.to_string()));
+        }
+        for subcommand in ["verify", "merge", "compare"] {
+            assert!(commands.iter().any(|c| c.starts_with(&format!("slideway {subcommand} "))), "{subcommand}");
+        }
+    }
 }

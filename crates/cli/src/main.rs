@@ -37,6 +37,7 @@ mod table;
 mod verdict;
 mod verify;
 mod verify_error;
+mod verify_files;
 mod verify_journal;
 mod verify_junit;
 mod verify_output;

@@ -1,31 +1,32 @@
-use crate::args::VerifyArguments;
+use crate::args::{VerifyArguments, VerifyLevel};
 use crate::diagnostic::CliError;
 use crate::journal::Journal;
 use crate::loaded::{scenario_error, source};
 use crate::output::{Outcome, print};
 use crate::parallel::{Work, jobs};
 use crate::verify_error::VerifyFailure;
-use crate::verify_journal::{self, CampaignIdentity, Held, SmallestCase, TRIALS};
+use crate::verify_journal::{self, CampaignIdentity, Held, MAX_TRIALS, SmallestCase, TRIALS};
 use crate::verify_output::{Finished, as_json};
 use crate::verify_results::{Results, first_failures};
 use crate::verify_shard::Shard;
-use crate::verify_table;
+use crate::{verify_files, verify_table};
 use slideway_lab::in_parallel;
 use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError};
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-/// Seed of the disturbances where none is given.
+/// Seed of the disturbances where neither the command nor the scenario gives one.
 const SEED: u64 = 1;
 
 /// States what is guaranteed and holds it against random trials.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<Outcome, CliError> {
     let campaign = campaign(arguments)?;
+    let files = verify_files::read(&campaign.request().text, &arguments.scenario)?;
     let name = &campaign.request().name;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("verify-{name}")));
     fs::create_dir_all(&out).map_err(|source| CliError::Write { path: out.clone(), source })?;
-    let identity = CampaignIdentity::new(&campaign, arguments.shard.unwrap_or(Shard::WHOLE));
+    let identity = CampaignIdentity::new(&campaign, files, arguments.shard.unwrap_or(Shard::WHOLE));
     let (journal, held) = verify_journal::open(&out.join(TRIALS), &identity)?;
     if !arguments.json {
         print(&verify_table::statement(name, campaign.statement()));
@@ -70,14 +71,26 @@ fn campaign(arguments: &VerifyArguments) -> Result<Campaign, CliError> {
     let (name, text) = source(&arguments.scenario)?;
     let request = CampaignRequest {
         name,
-        text,
         file: Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists()),
         method: arguments.method.clone(),
-        seed: arguments.seed.unwrap_or(SEED),
-        trials: arguments.trials.unwrap_or(arguments.level.trials()),
+        seed: arguments.seed.or_else(|| own(&text, "seed")).unwrap_or(SEED),
+        trials: trials(arguments, &text)?,
+        text: text.clone(),
     };
-    let text = request.text.clone();
     Campaign::new(request).map_err(|error| pointed(error, None, &arguments.scenario, &text))
+}
+
+/// A number of the scenario's table `[verify]`; one that is none is told where the scenario is read.
+fn own(text: &str, key: &str) -> Option<u64> {
+    let number = text.parse::<toml::Table>().ok()?.get("verify")?.get(key)?.as_integer()?;
+    u64::try_from(number).ok()
+}
+
+/// What the command asks for, else the scenario, else the quick level.
+fn trials(arguments: &VerifyArguments, text: &str) -> Result<u64, CliError> {
+    let asked = arguments.trials.or(arguments.level.map(VerifyLevel::trials)).or_else(|| own(text, "trials"));
+    let trials = asked.unwrap_or(VerifyLevel::Quick.trials());
+    if (1..=MAX_TRIALS).contains(&trials) { Ok(trials) } else { Err(VerifyFailure::Trials { trials }.into()) }
 }
 
 /// An error of the scenario points at its place in the text; others say in which trial they came up.

@@ -1,3 +1,4 @@
+use crate::verify_journal::MAX_TRIALS;
 use slideway_verify::VerifyError;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -8,6 +9,9 @@ pub(crate) enum VerifyFailure {
     /// A trial that cannot be made.
     #[error("{file}{}: {error}", trial.map_or(String::new(), |n| format!(", trial {n}")))]
     Trial { error: Box<VerifyError>, trial: Option<u64>, file: String },
+    /// A number of trials that is not possible, in the scenario.
+    #[error("{trials} trials; between 1 and {MAX_TRIALS} are possible")]
+    Trials { trials: u64 },
     /// Shards of different campaigns.
     #[error("{} and {} belong to different campaigns: the {what} is {one} there and {other} here", first.display(), second.display())]
     Strangers { first: PathBuf, second: PathBuf, what: &'static str, one: String, other: String },
@@ -29,6 +33,7 @@ impl VerifyFailure {
                 VerifyError::Scenario(error) => error.remedy(),
                 _ => "start again with another folder, --out DIR".into(),
             },
+            Self::Trials { .. } => "ask for fewer with --trials, or change `verify.trials` in the scenario".into(),
             Self::Strangers { .. } => {
                 "merge shards of one campaign only: same scenario, method, seed, number of trials, version and kind of machine".into()
             }

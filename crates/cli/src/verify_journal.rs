@@ -3,6 +3,7 @@
 
 use crate::diagnostic::CliError;
 use crate::journal::{Difference, Identity, Journal, foreign, read_journal};
+use crate::verify_files::NamedFiles;
 use crate::verify_shard::Shard;
 use serde::{Deserialize, Serialize};
 use slideway_verify::{Campaign, Statement, Trial};
@@ -21,6 +22,7 @@ pub(crate) struct CampaignIdentity {
     pub(crate) version: String,
     pub(crate) scenario: String,
     pub(crate) text: String,
+    pub(crate) files: NamedFiles,
     pub(crate) method: Option<String>,
     pub(crate) seed: u64,
     pub(crate) trials: u64,
@@ -57,12 +59,13 @@ pub(crate) struct Held {
 }
 
 impl CampaignIdentity {
-    pub(crate) fn new(campaign: &Campaign, shard: Shard) -> Self {
+    pub(crate) fn new(campaign: &Campaign, files: NamedFiles, shard: Shard) -> Self {
         let request = campaign.request();
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scenario: request.name.clone(),
             text: request.text.clone(),
+            files,
             method: request.method.clone(),
             seed: request.seed,
             trials: request.trials,
@@ -74,10 +77,14 @@ impl CampaignIdentity {
     /// The first thing in which two campaigns differ, whatever their shards.
     pub(crate) fn difference_of_campaigns(&self, now: &Self) -> Option<Difference> {
         let method = |method: &Option<String>| method.clone().unwrap_or_else(|| "not given".into());
+        let list = |files: &NamedFiles| files.keys().cloned().collect::<Vec<_>>().join(", ");
+        let joined = |files: &NamedFiles| files.values().cloned().collect::<Vec<_>>().join("\n");
         Difference::first([
             ("version of the program", self.version.clone(), now.version.clone()),
             ("scenario", self.scenario.clone(), now.scenario.clone()),
             Difference::of_texts("scenario's text", &self.text, &now.text),
+            ("list of files", list(&self.files), list(&now.files)),
+            Difference::of_texts("text of its files", &joined(&self.files), &joined(&now.files)),
             ("--method", method(&self.method), method(&now.method)),
             ("seed", self.seed.to_string(), now.seed.to_string()),
             ("number of trials", self.trials.to_string(), now.trials.to_string()),

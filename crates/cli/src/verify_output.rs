@@ -3,7 +3,7 @@
 use crate::diagnostic::CliError;
 use crate::verify_journal::{CampaignIdentity, SmallestCase};
 use crate::verify_results::{Results, checks_of, file_of};
-use crate::{verify_junit, verify_page};
+use crate::{verify_files, verify_junit, verify_page};
 use slideway_figures::{Rendered, TrialPoint, TrialsPanel, TrialsStudy, draw_trials};
 use slideway_verify::{Check, Trial};
 use std::fs;
@@ -21,8 +21,11 @@ impl Finished<'_> {
         Results::new(self.identity, self.trials, self.smallest)
     }
 
-    /// Writes the scenarios of the failing cases.
+    /// Writes the scenarios of the failing cases, with the files they name.
     pub(crate) fn write_failing(&self, out: &Path) -> Result<(), CliError> {
+        if !self.smallest.is_empty() {
+            verify_files::write(&self.identity.files, out)?;
+        }
         self.smallest.iter().try_for_each(|case| write(out, &file_of(&case.guarantee), case.scenario.as_bytes()))
     }
 

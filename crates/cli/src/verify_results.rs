@@ -1,3 +1,4 @@
+use crate::verify_files::is_beside;
 use crate::verify_journal::{CampaignIdentity, SmallestCase};
 use crate::verify_shard::Shard;
 use serde::Serialize;
@@ -21,6 +22,9 @@ pub(crate) struct Results {
     pub(crate) guarantees: Vec<GuaranteeResult>,
     /// Trials outside a hypothesis, by its name; those of guarantees that rest on it were not checked there.
     pub(crate) trials_outside: BTreeMap<String, u64>,
+    /// Files that the scenario names outside its folder: failing cases need them where they are.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) files_elsewhere: Vec<String>,
 }
 
 /// A hypothesis with what follows from its numbers.
@@ -100,6 +104,7 @@ impl Results {
             hypotheses,
             guarantees,
             trials_outside,
+            files_elsewhere: identity.files.keys().filter(|name| !is_beside(name)).cloned().collect(),
         };
         results.verdict = results.sentence();
         results

@@ -37,6 +37,12 @@ pub(crate) fn results(results: &Results, out: &Path) -> String {
         text += &format!("\n{}\n", failing(g, results.seed).join("\n"));
         if let Some(failing) = &g.failing {
             text += &format!("  slideway compare {}\n", out.join(&failing.file).display());
+            for name in &results.files_elsewhere {
+                text += &format!(
+                    "  it names {name}, which lies outside its folder: put it where that leads from {}\n",
+                    out.display()
+                );
+            }
         }
     }
     text
