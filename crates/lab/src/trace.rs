@@ -10,7 +10,7 @@ pub struct Trace {
     pub method: Method,
     /// Number of joints; entries of the joint arrays beyond it are zero.
     pub joints: usize,
-    /// Sampling period, s.
+    /// Sampling period that the controller counts on, s.
     pub sampling_period: f64,
     /// When the reference reached the path's end, interpolated with the last path rate, s.
     pub finish_s: Option<f64>,
@@ -23,7 +23,7 @@ pub struct Trace {
 /// One sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Time, s.
+    /// Time, s: the true one, whatever the controller counted on.
     pub t: f64,
     /// Path parameter `λ`.
     pub lambda: f64,
@@ -39,16 +39,28 @@ pub struct Sample {
     pub limit_ratio: f64,
     /// The joint that uses most of its limit, counted from 0.
     pub limiting_joint: Option<usize>,
-    /// Pose error `p_ref - p`, m and rad.
+    /// Pose error `p_ref - p`, m and rad: the true one, whatever the controller saw.
     pub error: [f64; 6],
-    /// Joint position, rad.
+    /// Joint position, rad: the true one.
     pub q: [f64; MAX_JOINTS],
     /// Desired joint speed `q̇d`, rad/s.
     pub desired: [f64; MAX_JOINTS],
     /// Commanded joint speed `q̇ds`, rad/s.
     pub commanded: [f64; MAX_JOINTS],
+    /// What the desired joint speed is made of, as the controller saw it; `None` for methods that do not regulate and once the
+    /// reference is at its end.
+    pub split: Option<DemandSplit>,
     /// Change of the desired joint speed since the sample before; `None` where it means nothing.
     pub chatter: Option<Chatter>,
+}
+
+/// The parts of `q̇d = A + f B`, each as its largest use of a limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DemandSplit {
+    /// `‖F_N A‖∞`: the feedback.
+    pub feedback: f64,
+    /// `‖F_N B‖∞`: the reference at full target rate, above 1 where it would exceed a limit.
+    pub overspeed: f64,
 }
 
 /// Change of the desired joint speed over one sample as a share of the speed limit, largest over the joints.

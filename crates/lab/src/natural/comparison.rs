@@ -132,6 +132,7 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
             q: pad(&problem.path_start),
             desired: [0.0; MAX_JOINTS],
             commanded: [0.0; MAX_JOINTS],
+            split: None,
             chatter: None,
         }],
     }
@@ -179,6 +180,7 @@ fn record<const N: usize>(
         q: pad(&place.q),
         desired: pad(&speed),
         commanded: pad(&speed),
+        split: None,
         chatter: None,
     };
     Ok((sample, demand.distance))
