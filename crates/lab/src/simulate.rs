@@ -4,7 +4,7 @@ use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
-use slideway_conditioner::{Saturation, SpeedLimits, bounds};
+use slideway_conditioner::{AffineSpeed, Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -157,6 +157,7 @@ impl<'a, const N: usize> Run<'a, N> {
             limiting_joint: limits.limiting_joint(&desired),
             error: demand.error.into(),
             q: pad(&self.q),
+            split: self.split(&demand),
             desired: pad(&desired.into()),
             commanded: pad(&joint_speed.into()),
             chatter: None,
@@ -200,6 +201,12 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
+    /// `A` and `B` at a sample.
+    fn split(&self, demand: &Demand<N>) -> AffineSpeed<MAX_JOINTS> {
+        let feedforward = demand.path_speed * self.problem.control.target_rate;
+        AffineSpeed { feedback: pad(&demand.feedback), feedforward: pad(&feedforward) }
+    }
+
     fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
         let command = &decision.command;
         let shortened = decision.advance_rate < command.path_rate;
@@ -218,6 +225,7 @@ impl<'a, const N: usize> Run<'a, N> {
             limiting_joint: limits.limiting_joint(&decision.desired),
             error: demand.error.into(),
             q: pad(&self.q),
+            split: self.split(demand),
             desired: pad(&decision.desired.into()),
             commanded: pad(&command.joint_speed.into()),
             chatter,

@@ -1,5 +1,6 @@
 use crate::law::Method;
 use crate::robot::MAX_JOINTS;
+use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
 use std::io;
 
@@ -43,6 +44,8 @@ pub struct Sample {
     pub error: [f64; 6],
     /// Joint position, rad.
     pub q: [f64; MAX_JOINTS],
+    /// The demand `q̇d = A + f B` as the controller saw it, rad/s; `desired` differs where the path rate was cut short.
+    pub split: AffineSpeed<MAX_JOINTS>,
     /// Desired joint speed `q̇d`, rad/s.
     pub desired: [f64; MAX_JOINTS],
     /// Commanded joint speed `q̇ds`, rad/s.

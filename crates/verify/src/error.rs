@@ -1,3 +1,4 @@
+use slideway_baselines::time_optimal::OptimumError;
 use slideway_lab::LabError;
 
 /// Why a scenario cannot be verified.
@@ -6,6 +7,12 @@ pub enum VerifyError {
     /// The scenario cannot be used.
     #[error(transparent)]
     Scenario(#[from] LabError),
+    /// The path has no optimum.
+    #[error(transparent)]
+    Optimum(#[from] OptimumError),
+    /// The speed limits exclude standing still.
+    #[error("the joint-speed limits have to lie on both sides of zero")]
+    NoLimits,
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {

@@ -11,5 +11,5 @@ mod trial;
 
 pub use campaign::{Campaign, CampaignRequest};
 pub use error::VerifyError;
-pub use statement::{Guarantee, Hypothesis, Relation, Statement};
+pub use statement::{Guarantee, Hypothesis, Observed, Observer, Reading, Relation, SpeedNumbers, Statement};
 pub use trial::{Check, Trial};
