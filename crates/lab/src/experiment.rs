@@ -50,6 +50,7 @@ struct Traced<const N: usize> {
 
 /// What an experiment does without knowing the number of joints.
 trait AnyJoints {
+    fn joints(&self) -> usize;
     fn control(&self) -> ControlSettings;
     fn limits_acceleration(&self) -> bool;
     fn has_natural_laws(&self) -> bool;
@@ -139,6 +140,12 @@ impl Experiment {
         other.any_mut().scale_speed_limits(by)?;
         other.shortest_time = other.any().sample(200, 3)?.speed_limited_time();
         Ok(other)
+    }
+
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.any().joints()
     }
 
     /// What the controller does not know of in this experiment's runs.
@@ -299,6 +306,10 @@ impl<const N: usize> Traced<N> {
 }
 
 impl<const N: usize> AnyJoints for Traced<N> {
+    fn joints(&self) -> usize {
+        N
+    }
+
     fn control(&self) -> ControlSettings {
         self.problem.control
     }

@@ -75,5 +75,5 @@ pub use sampled::{PathSample, SampledPath, SampledPiece};
 pub use scenario::{
     BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Expectation, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind,
 };
-pub use trace::{Chatter, DemandSplit, Sample, Trace};
+pub use trace::{Chatter, Sample, Trace};
 pub use verify_options::VerifyOptions;

@@ -4,8 +4,8 @@ use crate::error::LabError;
 use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
-use crate::trace::{Chatter, DemandSplit, Sample, Trace};
-use slideway_conditioner::{Saturation, SpeedLimits, bounds};
+use crate::trace::{Chatter, Sample, Trace};
+use slideway_conditioner::{AffineSpeed, Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -213,9 +213,9 @@ impl<'a, const N: usize> Run<'a, N> {
             limiting_joint: limits.limiting_joint(&desired),
             error: observed.truth.error.into(),
             q: pad(&self.q),
+            split: self.split(&observed.demand),
             desired: pad(&desired.into()),
             commanded: pad(&joint_speed.into()),
-            split: None,
             chatter: None,
         });
         if distance <= 1.0 {
@@ -258,13 +258,14 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
+    /// `A` and `B` at a sample.
+    fn split(&self, demand: &Demand<N>) -> AffineSpeed<MAX_JOINTS> {
+        let feedforward = demand.path_speed * self.problem.control.target_rate;
+        AffineSpeed { feedback: pad(&demand.feedback), feedforward: pad(&feedforward) }
+    }
+
     fn record(&mut self, t: f64, observed: &Observed<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
         let (command, demand) = (&decision.command, &observed.demand);
-        let feedforward = demand.path_speed * self.problem.control.target_rate;
-        let split = self.trace.method.is_regulated().then(|| DemandSplit {
-            feedback: limits.ratio(&demand.feedback.into()),
-            overspeed: limits.ratio(&feedforward.into()),
-        });
         let shortened = decision.advance_rate < command.path_rate;
         let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
             (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
@@ -281,9 +282,9 @@ impl<'a, const N: usize> Run<'a, N> {
             limiting_joint: limits.limiting_joint(&decision.desired),
             error: observed.truth.error.into(),
             q: pad(&self.q),
+            split: self.split(demand),
             desired: pad(&decision.desired.into()),
             commanded: pad(&command.joint_speed.into()),
-            split,
             chatter,
         });
         self.before = Some((*demand, command.factor, decision.desired));

@@ -1,5 +1,6 @@
 use crate::law::Method;
 use crate::robot::MAX_JOINTS;
+use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
 use std::io;
 
@@ -43,24 +44,14 @@ pub struct Sample {
     pub error: [f64; 6],
     /// Joint position, rad: the true one.
     pub q: [f64; MAX_JOINTS],
+    /// The demand `q̇d = A + f B` as the controller saw it, rad/s; `desired` differs where the path rate was cut short.
+    pub split: AffineSpeed<MAX_JOINTS>,
     /// Desired joint speed `q̇d`, rad/s.
     pub desired: [f64; MAX_JOINTS],
     /// Commanded joint speed `q̇ds`, rad/s.
     pub commanded: [f64; MAX_JOINTS],
-    /// What the desired joint speed is made of, as the controller saw it; `None` for methods that do not regulate and once the
-    /// reference is at its end.
-    pub split: Option<DemandSplit>,
     /// Change of the desired joint speed since the sample before; `None` where it means nothing.
     pub chatter: Option<Chatter>,
-}
-
-/// The parts of `q̇d = A + f B`, each as its largest use of a limit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DemandSplit {
-    /// `‖F_N A‖∞`: the feedback.
-    pub feedback: f64,
-    /// `‖F_N B‖∞`: the reference at full target rate, above 1 where it would exceed a limit.
-    pub overspeed: f64,
 }
 
 /// Change of the desired joint speed over one sample as a share of the speed limit, largest over the joints.

@@ -170,6 +170,7 @@ fn sample<const M: usize>(
         position: step.motion.position,
         sigma: pad(&sigma),
         phi: pad(&phi),
+        seen_phi: pad(&step.phi),
         share: pad(&step.share),
         gradient: pad(&gradient),
         push: step.push,

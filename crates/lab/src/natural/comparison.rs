@@ -11,6 +11,7 @@ use crate::scenario::Scenario;
 use crate::scenario::schema::{FactorName, NaturalTable};
 use crate::simulate::{MAX_SAMPLES, pad};
 use crate::trace::{Sample, Trace};
+use slideway_conditioner::AffineSpeed;
 use slideway_robot::EulerAngles;
 use slideway_robot::augmented::SpeedFactor;
 
@@ -130,9 +131,9 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
             limiting_joint: None,
             error: demand.error.into(),
             q: pad(&problem.path_start),
+            split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: [0.0; MAX_JOINTS] },
             desired: [0.0; MAX_JOINTS],
             commanded: [0.0; MAX_JOINTS],
-            split: None,
             chatter: None,
         }],
     }
@@ -178,9 +179,9 @@ fn record<const N: usize>(
         limiting_joint: limits.limiting_joint(&speed.into()),
         error: demand.error.into(),
         q: pad(&place.q),
+        split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: pad(&speed) },
         desired: pad(&speed),
         commanded: pad(&speed),
-        split: None,
         chatter: None,
     };
     Ok((sample, demand.distance))
