@@ -15,6 +15,7 @@ pub mod conditioning;
 mod controller;
 mod course;
 pub mod curve;
+mod disturbances;
 mod dynamic_limits;
 mod error;
 mod experiment;
@@ -48,10 +49,12 @@ mod simulate;
 pub mod sweep;
 mod trace;
 mod tracing;
+mod verify_options;
 mod waypoint_reader;
 
 pub use controller::Demand;
 pub use course::{Course, CourseSample, Effort, ProfilePoint};
+pub use disturbances::Disturbances;
 pub use dynamic_limits::{ToolLimits, TorqueLimits};
 pub use error::{Fault, LabError};
 pub use experiment::Experiment;
@@ -75,3 +78,4 @@ pub use scenario::{
     BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Expectation, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind,
 };
 pub use trace::{Chatter, Sample, Trace};
+pub use verify_options::VerifyOptions;

@@ -10,7 +10,7 @@ pub mod number;
 mod statement;
 mod trial;
 
-pub use campaign::{Campaign, CampaignRequest};
+pub use campaign::{Campaign, CampaignRequest, verify_options};
 pub use error::VerifyError;
-pub use statement::{Guarantee, Hypothesis, Relation, Statement};
+pub use statement::{Guarantee, Hypothesis, Observed, Observer, Reading, Relation, SpeedNumbers, Statement};
 pub use trial::{Check, Trial};

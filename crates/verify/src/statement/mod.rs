@@ -1,3 +1,15 @@
+//! What is stated of a scenario before any trial, and what a run shows of it.
+
+mod conditioning;
+mod observed;
+mod path_drift;
+mod signals;
+mod speed;
+mod time;
+
+pub use observed::{Observed, Observer, Reading};
+pub use speed::SpeedNumbers;
+
 use serde::{Deserialize, Serialize};
 
 /// How a value has to stand to the one that is needed.
@@ -37,10 +49,26 @@ impl Hypothesis {
     /// Whether it holds; NaN does not.
     #[must_use]
     pub fn holds(&self) -> bool {
+        self.holds_for(self.value)
+    }
+
+    /// Whether it would hold with another value; NaN does not.
+    #[must_use]
+    pub fn holds_for(&self, value: f64) -> bool {
         match self.relation {
-            Relation::AtLeast => self.value >= self.needed,
-            Relation::AtMost => self.value <= self.needed,
+            Relation::AtLeast => value >= self.needed,
+            Relation::AtMost => value <= self.needed,
         }
+    }
+
+    /// Distance from `needed` as a share of it, negative where it fails; the plain distance where `needed` is 0.
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        let distance = match self.relation {
+            Relation::AtLeast => self.value - self.needed,
+            Relation::AtMost => self.needed - self.value,
+        };
+        if self.needed == 0.0 { distance } else { distance / self.needed.abs() }
     }
 }
 
@@ -85,4 +113,34 @@ pub struct Statement {
     pub hypotheses: Vec<Hypothesis>,
     /// What follows. A guarantee whose hypotheses fail is not in the list.
     pub guarantees: Vec<Guarantee>,
+    /// What is not guaranteed, and how the numbers were found, in words.
+    #[serde(default)]
+    pub remarks: Vec<String>,
+}
+
+impl Statement {
+    /// Whether every hypothesis holds.
+    #[must_use]
+    pub fn accepts(&self) -> bool {
+        self.hypotheses.iter().all(Hypothesis::holds)
+    }
+
+    /// The guarantees whose measured value is outside.
+    pub fn violated(&self) -> impl Iterator<Item = &Guarantee> {
+        self.guarantees.iter().filter(|g| g.measured.is_some_and(|value| !g.contains(value)))
+    }
+
+    /// Names of the hypotheses that a run did not keep.
+    #[must_use]
+    pub fn outside(&self, run: &Observed) -> Vec<String> {
+        let broken = |h: &&Hypothesis| run.hypothesis(&h.name).is_some_and(|value| !h.holds_for(value));
+        self.hypotheses.iter().filter(broken).map(|h| h.name.clone()).collect()
+    }
+
+    /// Leaves out the guarantees that rest on a hypothesis that fails.
+    fn keep_what_holds(mut self) -> Self {
+        let failed: Vec<String> = self.hypotheses.iter().filter(|h| !h.holds()).map(|h| h.name.clone()).collect();
+        self.guarantees.retain(|g| g.rests_on.iter().all(|name| !failed.contains(name)));
+        self
+    }
 }
