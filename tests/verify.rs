@@ -485,6 +485,7 @@ fn wrong_input_is_pointed_out_before_anything_runs() {
         (vec!["--jobs", "0"], "--jobs"),
         (vec!["--level", "thorough"], "nightly"),
         (vec!["--seed", "x"], "--seed"),
+        (vec!["--method", "fastest"], "there is no method `fastest`"),
         (vec!["--out", "/dev/null/x"], "cannot write"),
     ] {
         let all: Vec<&str> = ["verify", SCENARIO].iter().chain(&arguments).copied().collect();
@@ -578,18 +579,20 @@ fn trials_and_seed_are_the_commands_else_the_scenarios_else_the_quick_levels() {
     for (i, (arguments, trials, seed)) in [
         (vec!["own.toml"], 7, 3),
         (vec!["own.toml", "--trials", "2", "--seed", "9"], 2, 9),
-        (vec!["own.toml", "--level", "quick"], 100, 3),
+        (vec!["own.toml", "--level", "smoke"], 1000, 3),
         (vec!["plain.toml"], 100, 1),
     ]
     .into_iter()
     .enumerate()
     {
         let out = format!("out-{i}");
-        let all: Vec<&str> = ["verify"].into_iter().chain(arguments).chain(["--out", &out]).collect();
+        // One trial of however many there are.
+        let shard = ["--shard", "1/1000", "--out", &out];
+        let all: Vec<&str> = ["verify"].into_iter().chain(arguments).chain(shard).collect();
         let (status, printed) = run(folder.path(), &all);
         assert!(status == 0 || status == 1, "{printed}");
-        let found = parsed(&read(folder.path(), &format!("{out}/verify.json")));
-        assert_eq!((&found["trials"], &found["seed"]), (&json!(trials), &json!(seed)), "{all:?}");
+        let identity = parsed(read(folder.path(), &format!("{out}/trials.jsonl")).lines().next().expect("a line"));
+        assert_eq!((&identity["trials"], &identity["seed"]), (&json!(trials), &json!(seed)), "{all:?}");
     }
     refused(folder.path(), &["verify", "own.toml", "--level", "quick", "--trials", "3"], "--level");
 }

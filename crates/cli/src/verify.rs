@@ -11,7 +11,7 @@ use crate::verify_results::{Results, first_failures};
 use crate::verify_shard::Shard;
 use crate::{verify_files, verify_table};
 use slideway_lab::in_parallel;
-use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError};
+use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError, verify_options};
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -69,26 +69,22 @@ fn show_shard(results: &Results, shard: Shard, out: &Path, json: bool) -> Result
 
 fn campaign(arguments: &VerifyArguments) -> Result<Campaign, CliError> {
     let (name, text) = source(&arguments.scenario)?;
+    let unusable = |error| pointed(error, None, &arguments.scenario, &text);
+    let own = verify_options(&name, &text).map_err(unusable)?;
     let request = CampaignRequest {
         name,
         file: Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists()),
         method: arguments.method.clone(),
-        seed: arguments.seed.or_else(|| own(&text, "seed")).unwrap_or(SEED),
-        trials: trials(arguments, &text)?,
+        seed: arguments.seed.or(own.seed).unwrap_or(SEED),
+        trials: trials(arguments, own.trials)?,
         text: text.clone(),
     };
-    Campaign::new(request).map_err(|error| pointed(error, None, &arguments.scenario, &text))
-}
-
-/// A number of the scenario's table `[verify]`; one that is none is told where the scenario is read.
-fn own(text: &str, key: &str) -> Option<u64> {
-    let number = text.parse::<toml::Table>().ok()?.get("verify")?.get(key)?.as_integer()?;
-    u64::try_from(number).ok()
+    Campaign::new(request).map_err(unusable)
 }
 
 /// What the command asks for, else the scenario, else the quick level.
-fn trials(arguments: &VerifyArguments, text: &str) -> Result<u64, CliError> {
-    let asked = arguments.trials.or(arguments.level.map(VerifyLevel::trials)).or_else(|| own(text, "trials"));
+fn trials(arguments: &VerifyArguments, own: Option<u64>) -> Result<u64, CliError> {
+    let asked = arguments.trials.or(arguments.level.map(VerifyLevel::trials)).or(own);
     let trials = asked.unwrap_or(VerifyLevel::Quick.trials());
     if (1..=MAX_TRIALS).contains(&trials) { Ok(trials) } else { Err(VerifyFailure::Trials { trials }.into()) }
 }
@@ -97,6 +93,7 @@ fn trials(arguments: &VerifyArguments, text: &str) -> Result<u64, CliError> {
 fn pointed(error: VerifyError, trial: Option<u64>, file: &str, text: &str) -> CliError {
     match (error, trial) {
         (VerifyError::Scenario(error), None) => scenario_error(error, file, Some(text.to_owned())),
+        (VerifyError::Optimum(error), None) => error.into(),
         (error, trial) => VerifyFailure::Trial { error: Box::new(error), trial, file: file.to_owned() }.into(),
     }
 }

@@ -29,10 +29,7 @@ pub(crate) enum VerifyFailure {
 impl VerifyFailure {
     pub(crate) fn remedy(&self) -> String {
         match self {
-            Self::Trial { error, .. } => match error.as_ref() {
-                VerifyError::Scenario(error) => error.remedy(),
-                _ => "start again with another folder, --out DIR".into(),
-            },
+            Self::Trial { error, .. } => of_campaign(error),
             Self::Trials { .. } => "ask for fewer with --trials, or change `verify.trials` in the scenario".into(),
             Self::Strangers { .. } => {
                 "merge shards of one campaign only: same scenario, method, seed, number of trials, version and kind of machine".into()
@@ -44,5 +41,17 @@ impl VerifyFailure {
             Self::Missing { shards, .. } => format!("give the folders of all shards; missing: {}", shards.join(", ")),
             Self::Unfinished { .. } => "let the shard run to its end: give its command again".into(),
         }
+    }
+}
+
+fn of_campaign(error: &VerifyError) -> String {
+    match error {
+        VerifyError::Scenario(error) => error.remedy(),
+        VerifyError::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
+        VerifyError::NoLimits => "give joint-speed limits below zero and above it".into(),
+        VerifyError::Optimum(_) => {
+            "give a path that avoids singular configurations, and limits that some motion keeps".into()
+        }
+        VerifyError::NoTrial { .. } => "ask for more trials with --trials".into(),
     }
 }

@@ -18,7 +18,7 @@ pub(crate) fn render(results: &Results, text: &str, figures: &[Rendered]) -> Str
         description: &description,
         holds: results.holds,
         verdict: &results.verdict,
-        body: failures(results) + &guarantees(results) + &hypotheses(results),
+        body: failures(results) + &guarantees(results) + &hypotheses(results) + &remarks(results),
         figures,
         scenario: Some(text),
     };
@@ -88,6 +88,12 @@ fn guarantees(results: &Results) -> String {
     let note = "<p class=\"note\">A margin is the distance from the bound as a share of its size. A trial outside a \
                 hypothesis is not held against what rests on it.</p>\n";
     format!("<h2>What is guaranteed</h2>\n{}{note}", table(&header, results.guarantees.iter().map(row)))
+}
+
+/// What is not guaranteed, and how the numbers were found; nothing if there is nothing to say.
+fn remarks(results: &Results) -> String {
+    let items: String = results.remarks.iter().map(|remark| format!("<li>{}</li>\n", escape(remark))).collect();
+    if items.is_empty() { items } else { format!("<h2>Remarks</h2>\n<ul>{items}</ul>\n") }
 }
 
 /// The violated guarantees with their smallest cases; nothing if all were kept.

@@ -2,7 +2,7 @@ use crate::verify_files::is_beside;
 use crate::verify_journal::{CampaignIdentity, SmallestCase};
 use crate::verify_shard::Shard;
 use serde::Serialize;
-use slideway_verify::{Check, Guarantee, Hypothesis, Relation, Trial, number};
+use slideway_verify::{Check, Guarantee, Hypothesis, Trial, number};
 use std::collections::BTreeMap;
 
 /// What a campaign came to: a function of the campaign and its trials, so neither of time nor of threads nor of shards.
@@ -20,6 +20,8 @@ pub(crate) struct Results {
     pub(crate) verdict: String,
     pub(crate) hypotheses: Vec<HypothesisResult>,
     pub(crate) guarantees: Vec<GuaranteeResult>,
+    /// What is not guaranteed, and how the numbers were found.
+    pub(crate) remarks: Vec<String>,
     /// Trials outside a hypothesis, by its name; those of guarantees that rest on it were not checked there.
     pub(crate) trials_outside: BTreeMap<String, u64>,
     /// Files that the scenario names outside its folder: failing cases need them where they are.
@@ -103,6 +105,7 @@ impl Results {
             verdict: String::new(),
             hypotheses,
             guarantees,
+            remarks: statement.remarks.clone(),
             trials_outside,
             files_elsewhere: identity.files.keys().filter(|name| !is_beside(name)).cloned().collect(),
         };
@@ -142,7 +145,7 @@ impl Results {
 
 impl HypothesisResult {
     pub(crate) fn new(hypothesis: &Hypothesis) -> Self {
-        Self { holds: hypothesis.holds(), margin: margin(hypothesis), hypothesis: hypothesis.clone() }
+        Self { holds: hypothesis.holds(), margin: hypothesis.margin(), hypothesis: hypothesis.clone() }
     }
 
     /// What is wrong and what to do, for one that fails.
@@ -150,14 +153,6 @@ impl HypothesisResult {
         let remedy = self.hypothesis.remedy.as_ref().map_or(String::new(), |remedy| format!(" ({remedy})"));
         format!("the hypothesis {} fails{remedy}", self.hypothesis.name)
     }
-}
-
-fn margin(hypothesis: &Hypothesis) -> f64 {
-    let distance = match hypothesis.relation {
-        Relation::AtLeast => hypothesis.value - hypothesis.needed,
-        Relation::AtMost => hypothesis.needed - hypothesis.value,
-    };
-    if hypothesis.needed == 0.0 { distance } else { distance / hypothesis.needed.abs() }
 }
 
 impl GuaranteeResult {

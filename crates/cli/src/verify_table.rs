@@ -18,7 +18,8 @@ pub(crate) fn statement(scenario: &str, statement: &Statement) -> String {
     for g in &statement.guarantees {
         guarantees.add_row([g.name.clone(), g.claim.clone(), stated_bound(g), as_it_is(Some(g))]);
     }
-    format!("{scenario} - {}\n{}{}", statement.method, shown(&hypotheses), shown(&guarantees))
+    let remarks: String = statement.remarks.iter().map(|remark| format!("note: {remark}\n")).collect();
+    format!("{scenario} - {}\n{}{}{remarks}", statement.method, shown(&hypotheses), shown(&guarantees))
 }
 
 /// What the trials came to, and the commands that run the failing cases.

@@ -23,9 +23,12 @@ pub(crate) fn with_unit(value: f64, unit: &str) -> String {
     if unit.is_empty() || unit == "1" { short(value) } else { format!("{} {unit}", short(value)) }
 }
 
+/// The bound of a guarantee that has none for all trials.
+const EACH: &str = "each run's own";
+
 /// The bound of a guarantee.
 pub(crate) fn bound(result: &GuaranteeResult) -> String {
-    result.stated.as_ref().map_or_else(|| "each trial's own".to_owned(), stated_bound)
+    result.stated.as_ref().map_or_else(|| EACH.to_owned(), stated_bound)
 }
 
 /// The bound of a guarantee that is stated before the trials.
@@ -35,7 +38,7 @@ pub(crate) fn stated_bound(guarantee: &Guarantee) -> String {
         (Some(lower), Some(upper)) => format!("{} to {}", short(lower), number(upper)),
         (Some(lower), None) => format!("at least {}", number(lower)),
         (None, Some(upper)) => format!("at most {}", number(upper)),
-        (None, None) => "none".to_owned(),
+        (None, None) => EACH.to_owned(),
     }
 }
 
