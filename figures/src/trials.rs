@@ -29,6 +29,8 @@ pub struct TrialsPanel<'a> {
     pub name: &'a str,
     /// Unit of what is measured; empty without one.
     pub unit: &'a str,
+    /// The bounds of all trials, from below and from above; empty where each trial has its own.
+    pub bounds: Vec<f64>,
     /// Every trial in which it was checked.
     pub points: Vec<TrialPoint>,
 }
@@ -40,8 +42,6 @@ pub struct TrialPoint {
     pub size: f64,
     /// What was measured.
     pub measured: f64,
-    /// The bound.
-    pub bound: f64,
     /// Distance from the bound as a share of its size; negative where it is exceeded.
     pub margin: f64,
 }
@@ -70,8 +70,6 @@ struct Trials<'a>(&'a TrialsStudy<'a>);
 
 /// Height of a panel without the labels below, design units.
 const PANEL: f64 = 300.0;
-/// Bounds that are drawn as lines: from below and from above. More belong to single trials.
-const LINES: usize = 2;
 /// Points closer than this are drawn once, design units: a little less than a dot.
 const CELL: f64 = 6.0;
 /// Radius of a dot, design units.
@@ -86,14 +84,8 @@ impl TrialPoint {
 }
 
 impl TrialsPanel<'_> {
-    /// The bounds, if they are the same in all trials.
-    fn lines(&self) -> Option<Vec<f64>> {
-        let bounds: BTreeSet<u64> = self.points.iter().map(|p| p.bound.to_bits()).collect();
-        (bounds.len() <= LINES).then(|| bounds.into_iter().map(f64::from_bits).collect())
-    }
-
-    fn y_label(&self, has_lines: bool) -> String {
-        match (has_lines, self.unit) {
+    fn y_label(&self) -> String {
+        match (!self.bounds.is_empty(), self.unit) {
             (false, _) => "margin".to_owned(),
             (true, "" | "1") => "measured".to_owned(),
             (true, unit) => format!("measured ({unit})"),
@@ -102,16 +94,16 @@ impl TrialsPanel<'_> {
 
     /// Where its points and lines lie: measurements with their bounds, or margins above zero.
     fn layout(&self) -> Layout {
-        let lines = self.lines();
-        let height = |p: &TrialPoint| if lines.is_some() { p.measured } else { p.margin };
+        let margins = self.bounds.is_empty();
+        let height = |p: &TrialPoint| if margins { p.margin } else { p.measured };
         let places = |kept: bool| self.points.iter().filter(move |p| p.kept() == kept).map(|p| (p.size, height(p)));
-        let levels = lines.clone().unwrap_or_else(|| vec![0.0]);
+        let levels = if margins { vec![0.0] } else { self.bounds.clone() };
         let heights = self.points.iter().map(height).chain(levels.iter().copied());
         let range = widened(&span(heights));
         Layout {
             kept: apart(places(true), &range),
             violated: apart(places(false), &range),
-            y: Axis::linear(&self.y_label(lines.is_some()), range, 4),
+            y: Axis::linear(&self.y_label(), range, 4),
             levels,
         }
     }
@@ -210,42 +202,42 @@ impl Figure for Trials<'_> {
 mod tests {
     use super::*;
 
-    fn point(size: f64, measured: f64, bound: f64) -> TrialPoint {
-        TrialPoint { size, measured, bound, margin: bound - measured }
+    /// Measured under a bound of 1.
+    fn point(size: f64, measured: f64) -> TrialPoint {
+        TrialPoint { size, measured, margin: 1.0 - measured }
     }
 
-    fn panel(points: &[TrialPoint]) -> TrialsPanel<'static> {
-        TrialsPanel { name: "band", unit: "", points: points.to_vec() }
+    fn panel(points: &[TrialPoint], bounds: &[f64]) -> TrialsPanel<'static> {
+        TrialsPanel { name: "band", unit: "", bounds: bounds.to_vec(), points: points.to_vec() }
     }
 
     #[test]
-    fn a_common_bound_is_a_line_and_bounds_of_single_trials_become_margins() {
-        let common = [point(0.1, 0.5, 1.0), point(0.9, 1.5, 1.0)];
-        assert_eq!(panel(&common).layout().levels, [1.0]);
-        let own: Vec<TrialPoint> = (1..=3).map(|i| point(0.1, 0.5, f64::from(i))).collect();
-        let layout = panel(&own).layout();
-        assert_eq!(layout.levels, [0.0]);
-        assert_eq!(layout.kept, [(0.1, 0.5), (0.1, 1.5), (0.1, 2.5)]);
+    fn bounds_of_all_trials_are_lines_and_without_them_margins_are_drawn() {
+        let points = [point(0.1, 0.25), point(0.9, 0.75)];
+        let measured = panel(&points, &[0.0, 1.0]).layout();
+        assert_eq!((measured.levels, measured.kept), (vec![0.0, 1.0], vec![(0.1, 0.25), (0.9, 0.75)]));
+        let margins = panel(&points, &[]).layout();
+        assert_eq!((margins.levels, margins.kept), (vec![0.0], vec![(0.1, 0.75), (0.9, 0.25)]));
     }
 
     #[test]
     fn violations_lie_apart_and_what_is_no_number_counts_as_one() {
-        let points = [point(0.1, 0.5, 1.0), point(0.9, 1.5, 1.0), point(0.5, f64::NAN, 1.0)];
-        let layout = panel(&points).layout();
+        let points = [point(0.1, 0.5), point(0.9, 1.5), point(0.5, f64::NAN)];
+        let layout = panel(&points, &[1.0]).layout();
         assert_eq!((layout.kept.len(), layout.violated.len()), (1, 2));
     }
 
     #[test]
     fn points_on_each_other_are_drawn_once() {
-        let many: Vec<TrialPoint> = (0..100_000).map(|i| point(f64::from(i) / 1e5, 0.5, 1.0)).collect();
+        let many: Vec<TrialPoint> = (0..100_000).map(|i| point(f64::from(i) / 1e5, 0.5)).collect();
         // One row of cells, each CELL of WIDTH wide.
-        assert_eq!(panel(&many).layout().kept.len(), (WIDTH / CELL).ceil() as usize);
+        assert_eq!(panel(&many, &[1.0]).layout().kept.len(), (WIDTH / CELL).ceil() as usize);
     }
 
     #[test]
     fn a_study_without_trials_is_refused() {
         let dir = std::env::temp_dir();
         assert!(draw_trials(&TrialsStudy { title: "t", panels: &[] }, &dir).is_err());
-        assert!(draw_trials(&TrialsStudy { title: "t", panels: &[panel(&[])] }, &dir).is_err());
+        assert!(draw_trials(&TrialsStudy { title: "t", panels: &[panel(&[], &[])] }, &dir).is_err());
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::CliError;
 use crate::verify_journal::{CampaignIdentity, SmallestCase};
-use crate::verify_results::{Results, checks_of, file_of};
+use crate::verify_results::{GuaranteeResult, Results, checks_of, file_of};
 use crate::{verify_files, verify_junit, verify_page};
 use slideway_figures::{Rendered, TrialPoint, TrialsPanel, TrialsStudy, draw_trials};
 use slideway_verify::{Check, Trial};
@@ -45,7 +45,7 @@ impl Finished<'_> {
         let panels: Vec<TrialsPanel<'_>> = checked
             .map(|g| {
                 let points = checks_of(&g.name, self.trials).map(point).collect();
-                TrialsPanel { name: &g.name, unit: &g.unit, points }
+                TrialsPanel { name: &g.name, unit: &g.unit, bounds: bounds(g), points }
             })
             .collect();
         if panels.is_empty() {
@@ -57,8 +57,12 @@ impl Finished<'_> {
 }
 
 fn point((trial, check): (&Trial, &Check)) -> TrialPoint {
-    let Check { measured, bound, margin, .. } = *check;
-    TrialPoint { size: trial.size, measured, bound, margin }
+    TrialPoint { size: trial.size, measured: check.measured, margin: check.margin }
+}
+
+/// The bounds of a guarantee that are those of every trial.
+fn bounds(result: &GuaranteeResult) -> Vec<f64> {
+    result.stated.iter().flat_map(|g| [g.lower, g.upper]).flatten().collect()
 }
 
 /// The text of `verify.json`.

@@ -25,12 +25,20 @@ pub(crate) fn render(results: &Results, text: &str, figures: &[Rendered]) -> Str
     page.render()
 }
 
-fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+/// A table whose rows have words below them.
+fn table(header: &[&str], rows: impl Iterator<Item = (Vec<String>, String)>) -> String {
     let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| -> String {
         cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell))).collect()
     };
-    let rows: String =
-        rows.map(|row| format!("<tr>{}</tr>\n", cells("td", &mut row.iter().map(String::as_str)))).collect();
+    let row = |(numbers, words): (Vec<String>, String)| {
+        format!(
+            "<tr>{}</tr>\n<tr class=\"words\"><td></td><td colspan=\"{}\">{}</td></tr>\n",
+            cells("td", &mut numbers.iter().map(String::as_str)),
+            header.len() - 1,
+            escape(&words)
+        )
+    };
+    let rows: String = rows.map(row).collect();
     format!(
         "<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n",
         cells("th", &mut header.iter().copied())
@@ -48,24 +56,24 @@ fn hypotheses(results: &Results) -> String {
             Relation::AtLeast => "at least",
             Relation::AtMost => "at most",
         };
-        vec![
+        let numbers = vec![
             h.name.clone(),
-            described(&h.text, &h.claim, h.remedy.as_deref()),
-            with_unit(h.value, &h.unit),
             format!("{needs} {}", with_unit(h.needed, &h.unit)),
+            with_unit(h.value, &h.unit),
             percent(result.margin),
             if result.holds { "holds".into() } else { "fails".into() },
             outside(&h.name),
-        ]
+        ];
+        (numbers, described(&h.text, &h.claim, h.remedy.as_deref()))
     };
-    let header = ["hypothesis", "", "has", "needs", "margin", "", "trials outside"];
+    let header = ["hypothesis", "needs", "has", "margin", "", "trials outside"];
     format!("<h2>What the claims ask for</h2>\n{}", table(&header, results.hypotheses.iter().map(row)))
 }
 
 /// What a hypothesis or guarantee says, the claim it belongs to, and what to do.
 fn described(text: &str, claim: &str, remedy: Option<&str>) -> String {
-    let remedy = remedy.map_or(String::new(), |remedy| format!(" Remedy: {remedy}."));
-    format!("{text} (claim {claim}).{remedy}")
+    let remedy = remedy.map_or(String::new(), |remedy| format!("; remedy: {remedy}"));
+    format!("{text} (claim {claim}){remedy}")
 }
 
 fn guarantees(results: &Results) -> String {
@@ -74,17 +82,17 @@ fn guarantees(results: &Results) -> String {
     }
     let row = |g: &GuaranteeResult| {
         let stated = g.stated.as_ref();
-        vec![
+        let numbers = vec![
             g.name.clone(),
-            stated.map_or_else(|| "Checked in each trial.".to_owned(), |s| described(&s.text, &s.claim, None)),
             bound(g),
             as_it_is(stated),
             g.trials_checked.to_string(),
             nearest(g),
             g.violations.to_string(),
-        ]
+        ];
+        (numbers, stated.map_or_else(|| "checked in each trial".to_owned(), |s| described(&s.text, &s.claim, None)))
     };
-    let header = ["guarantee", "", "bound", "scenario as it is", "trials checked", "smallest margin", "violations"];
+    let header = ["guarantee", "bound", "scenario as it is", "trials checked", "smallest margin", "violations"];
     let note = "<p class=\"note\">A margin is the distance from the bound as a share of its size. A trial outside a \
                 hypothesis is not held against what rests on it.</p>\n";
     format!("<h2>What is guaranteed</h2>\n{}{note}", table(&header, results.guarantees.iter().map(row)))
