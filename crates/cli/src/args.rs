@@ -263,9 +263,9 @@ pub(crate) struct StudyArguments {
 pub(crate) enum VerifyLevel {
     /// 100 trials: seconds.
     Quick,
-    /// 1,000: a minute.
+    /// 1,000: half a minute.
     Smoke,
-    /// 100,000: hours, or a night on one core.
+    /// 100,000: an hour, more for long scenarios.
     Nightly,
 }
 
