@@ -33,6 +33,7 @@ mod stack;
 mod study;
 mod style;
 mod tool_path;
+mod trials;
 
 pub use chart::{Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, draw_chart};
 pub use conditioning::{ConditioningStudy, PhiBand, draw_conditioning_study};
@@ -47,6 +48,7 @@ pub use look_ahead::{LookAheadPoint, LookAheadStudy, draw_look_ahead};
 pub use mean_speed::{MeanSpeedLine, MeanSpeedStudy, draw_mean_speed};
 pub use render::Rendered;
 pub use study::{Optimum, SpeedStudy};
+pub use trials::{TrialPoint, TrialsPanel, TrialsStudy, draw_trials};
 
 use render::render;
 use std::path::Path;

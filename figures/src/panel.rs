@@ -84,13 +84,18 @@ impl<DB: DrawingBackend> Panel<DB> {
 
     /// Marks a point with a disc, nothing if it lies outside the axes.
     pub(crate) fn marker(&self, point: Point, stroke: &Stroke) -> Drawn<DB> {
+        self.dot(point, stroke, 9.0)
+    }
+
+    /// The same with a radius of its own, design units.
+    pub(crate) fn dot(&self, point: Point, stroke: &Stroke, radius: f64) -> Drawn<DB> {
         let (x, y) = (self.x.fraction(point.0), self.y.fraction(point.1));
         if !((0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y)) {
             return Ok(());
         }
         let (width, height) = self.extent();
         let centre = ((width * x).round() as i32, (height * (1.0 - y)).round() as i32);
-        self.plot.area.draw(&Circle::new(centre, self.plot.px(9.0), stroke.color.filled()))
+        self.plot.area.draw(&Circle::new(centre, self.plot.px(radius), stroke.color.filled()))
     }
 
     /// Draws a horizontal line.

@@ -62,13 +62,16 @@ impl Axis {
         let middle = self.ticks.get(self.ticks.len() / 2).copied().unwrap_or(0.0);
         let offset = if zero_in_sight { 0.0 } else { middle };
         let exponent = -(self.decimals as i32);
-        let (name, unit) = self.label.split_once(" (").unwrap_or((&self.label, "1)"));
+        let (name, unit) = match self.label.split_once(" (") {
+            Some((name, unit)) => (name, format!(" {unit}")),
+            None => (self.label.as_str(), ")".to_owned()),
+        };
         let less = match offset {
             0.0 => String::new(),
             o if o < 0.0 => format!(" + {:.*}", self.decimals, -o),
             o => format!(" − {o:.*}", self.decimals),
         };
-        let label = format!("{name}{less} (10{} {unit}", superscript(i64::from(exponent)));
+        let label = format!("{name}{less} (10{}{unit}", superscript(i64::from(exponent)));
         Self { label, decimals: 0, offset, exponent, ..self }
     }
 
@@ -236,6 +239,7 @@ mod tests {
         assert_eq!(labels(&near), ["−2", "−1", "0", "1", "2"]);
         let below = Axis::linear("y (m)", -0.76124..-0.76119, 4);
         assert_eq!(below.label, "y + 0.76121 (10⁻⁵ m)");
+        assert_eq!(Axis::linear("margin", 0.0..3e-13, 4).label, "margin (10⁻¹³)");
     }
 
     #[test]

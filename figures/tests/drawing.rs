@@ -3,6 +3,7 @@
 mod files;
 
 use files::{is_well_formed, png_header};
+use slideway_conditioner::AffineSpeed;
 use slideway_figures::{
     Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Counterexample, FigureError, Optimum, Rendered, SpeedStudy,
     draw_chart, draw_counterexample, draw_speed_study,
@@ -83,6 +84,7 @@ fn sample(t: f64) -> Sample {
         limiting_joint: Some(0),
         error: [0.0; 6],
         q: [0.0; MAX_JOINTS],
+        split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: [t; MAX_JOINTS] },
         desired: [t; MAX_JOINTS],
         commanded: [t; MAX_JOINTS],
         chatter: None,

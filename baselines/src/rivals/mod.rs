@@ -52,6 +52,7 @@ fn sample(problem: &ConditioningProblem, reference: &Motion<3>, placed: &Placed)
         position: placed.motion.position,
         sigma: [0.0; MAX_CONSTRAINTS],
         phi: [0.0; MAX_CONSTRAINTS],
+        seen_phi: [0.0; MAX_CONSTRAINTS],
         share: [0.0; MAX_CONSTRAINTS],
         gradient: [0.0; MAX_CONSTRAINTS],
         push: std::array::from_fn(|i| placed.motion.position[i] - reference.position[i]),
@@ -65,6 +66,7 @@ fn sample(problem: &ConditioningProblem, reference: &Motion<3>, placed: &Placed)
             if placed.has_velocity { s.phi(constraint.approach, &placed.motion.velocity) } else { f64::NAN };
         sample.gradient[i] = s.gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
     }
+    sample.seen_phi = sample.phi;
     sample
 }
 

@@ -1,3 +1,5 @@
+use crate::verify_journal::MAX_TRIALS;
+use crate::verify_shard::Shard;
 use clap::{Parser, Subcommand};
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::PathBuf;
@@ -32,6 +34,16 @@ pub(crate) enum Command {
     /// A sweep that was interrupted goes on where it stopped when the same command is given again. The rows do not depend on
     /// the number of jobs. Exit status: 0 no run failed, 1 some did not complete or broke a constraint, 2 the input is wrong.
     Sweep(SweepArguments),
+    /// State what is guaranteed for a scenario, and hold it against random trials around it, on all cores.
+    ///
+    /// A campaign that was interrupted goes on where it stopped when the same command is given again. The results do not depend
+    /// on the number of jobs. Exit status: 0 every hypothesis holds and every guarantee was kept, 1 one was not, 2 the input is
+    /// wrong.
+    Verify(VerifyArguments),
+    /// Put the shards of a campaign together: the same results as if it had run in one piece.
+    ///
+    /// Exit status: as that of `verify`.
+    Merge(MergeArguments),
     /// Run a study of the arm controller: what it found in numbers, a figure and a report.
     ///
     /// Exit status: 0 the study found what it claims, 1 it did not, 2 the input is wrong.
@@ -257,4 +269,97 @@ pub(crate) struct StudyArguments {
     /// Print summary.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// How many trials a campaign has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum VerifyLevel {
+    /// 100 trials: seconds.
+    Quick,
+    /// 1,000: half a minute.
+    Smoke,
+    /// 100,000: an hour, more for long scenarios.
+    Nightly,
+}
+
+impl VerifyLevel {
+    pub(crate) fn trials(self) -> u64 {
+        match self {
+            Self::Quick => 100,
+            Self::Smoke => 1_000,
+            Self::Nightly => 100_000,
+        }
+    }
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct VerifyArguments {
+    /// Name of a built-in scenario, or path of a scenario file (TOML).
+    pub(crate) scenario: String,
+    /// How many trials [default: the scenario's, else quick].
+    #[arg(long, value_enum)]
+    pub(crate) level: Option<VerifyLevel>,
+    /// Trials, instead of a level.
+    #[arg(long, value_name = "N", conflicts_with = "level", value_parser = clap::value_parser!(u64).range(1..=MAX_TRIALS))]
+    pub(crate) trials: Option<u64>,
+    /// Seed of the disturbances [default: the scenario's, else 1].
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// The method [default: the one that `compare` judges].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) method: Option<String>,
+    /// Threads [default: one per core].
+    #[arg(long, value_name = "J")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+    /// Run this share of the trials only, for example 2/5; `slideway merge` puts the shares together.
+    #[arg(long, value_name = "I/N")]
+    pub(crate) shard: Option<Shard>,
+    /// Where to write the results [default: `out/verify-` and the scenario's name].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print verify.json instead of the tables.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct MergeArguments {
+    /// Folders that `slideway verify --shard I/N` wrote, or their trials.jsonl.
+    #[arg(required = true, value_name = "SHARD")]
+    pub(crate) shards: Vec<PathBuf>,
+    /// Where to write the results.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Print verify.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the shell and the CI fill in, by something of its kind.
+    const FILLED: [(&str, &str); 2] = [("${{ matrix.shard }}", "1"), ("\"$LEVEL\"", "nightly")];
+
+    #[test]
+    fn every_command_in_the_guide_to_ci_is_one_that_this_command_line_takes() {
+        let guide = include_str!("../../../docs/ci.md");
+        let blocks = guide.split("```").skip(1).step_by(2);
+        let lines =
+            blocks.flat_map(str::lines).map(|line| line.trim().trim_start_matches("- ").trim_start_matches("run: "));
+        let commands: Vec<String> = lines
+            .filter(|line| line.starts_with("slideway "))
+            .map(|line| FILLED.iter().fold(line.to_owned(), |line, (blank, filling)| line.replace(blank, filling)))
+            .collect();
+        assert!(commands.len() >= 7, "{commands:?}");
+        for command in &commands {
+            assert!(!command.contains(['$', '"']), "a blank that the test does not fill: {command}");
+            let parsed = Arguments::try_parse_from(command.split_whitespace());
+            assert!(parsed.is_ok(), "{command}: {}", parsed.err().map_or(String::new(), |error| error.to_string()));
+        }
+        for subcommand in ["verify", "merge", "compare"] {
+            assert!(commands.iter().any(|c| c.starts_with(&format!("slideway {subcommand} "))), "{subcommand}");
+        }
+    }
 }

@@ -1,9 +1,11 @@
+use crate::journal_error::JournalError;
 use crate::sweep_error::SweepFailure;
 use crate::table::short;
+use crate::verify_error::VerifyFailure;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
-use slideway_lab::{LabError, locate};
+use slideway_lab::{LabError, ThreadsError, locate};
 use slideway_proofs::kept::KeptError;
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
@@ -72,6 +74,15 @@ pub(crate) enum CliError {
     /// No sweep.
     #[error(transparent)]
     Sweep(#[from] SweepFailure),
+    /// A journal that cannot be used.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+    /// No campaign.
+    #[error(transparent)]
+    Verify(#[from] VerifyFailure),
+    /// No threads.
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
 }
 
 impl CliError {
@@ -137,6 +148,9 @@ impl CliError {
             },
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
             Self::Sweep(failure) => failure.remedy(),
+            Self::Journal(error) => error.remedy(),
+            Self::Verify(failure) => failure.remedy(),
+            Self::Threads(error) => error.remedy(),
             Self::Figures(_) => "check that the output folder may be written".into(),
         }
     }

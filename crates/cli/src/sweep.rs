@@ -1,23 +1,23 @@
 use crate::args::SweepArguments;
 use crate::diagnostic::CliError;
+use crate::journal::Journal;
 use crate::loaded::source;
 use crate::output::{Outcome, print};
+use crate::parallel::{Work, jobs};
 use crate::sweep_error::SweepFailure;
-use crate::sweep_journal::{Journal, Opened, write_csv};
+use crate::sweep_journal::{self, Opened, write_csv};
 use crate::sweep_table;
-use indicatif::{ProgressBar, ProgressStyle};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
 use slideway_lab::sweep::{
-    Axis, RowSink, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
+    Axis, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
 };
 use std::fs;
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl From<SweepError> for SweepFailure {
     fn from(error: SweepError) -> Self {
-        Self::Request { error: Box::new(error), file: String::new() }
+        Self { error: Box::new(error), file: String::new() }
     }
 }
 
@@ -32,8 +32,9 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
     let default = || Path::new("out").join(format!("sweep-{}", plan.request().name));
     let out = arguments.out.clone().unwrap_or_else(default);
     fs::create_dir_all(&out).map_err(|source| CliError::Write { path: out.clone(), source })?;
-    let Opened { journal, rows } = Journal::open(&out.join("rows.jsonl"), &plan)?;
-    let rows = finish(&plan, &journal, rows, jobs(arguments)).map_err(|error| in_file(error, &arguments.scenario))?;
+    let Opened { journal, rows } = sweep_journal::open(&out.join("rows.jsonl"), &plan)?;
+    let rows =
+        finish(&plan, &journal, rows, jobs(arguments.jobs)).map_err(|error| in_file(error, &arguments.scenario))?;
     let summary = SweepSummary::new(&plan, &rows);
     let text = write(&out, &plan, &rows, &summary)?;
     if arguments.json {
@@ -47,9 +48,7 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
 /// An error of the request knows its scenario's text, but not what the user called the scenario.
 fn in_file(error: CliError, name: &str) -> CliError {
     match error {
-        CliError::Sweep(SweepFailure::Request { error, .. }) => {
-            SweepFailure::Request { error, file: name.to_owned() }.into()
-        }
+        CliError::Sweep(SweepFailure { error, .. }) => SweepFailure { error, file: name.to_owned() }.into(),
         other => other,
     }
 }
@@ -64,11 +63,6 @@ fn plan(arguments: &SweepArguments) -> Result<SweepPlan, CliError> {
     Ok(SweepPlan::new(SweepRequest { name, text, file, method, seeds, settings, axes })?)
 }
 
-fn jobs(arguments: &SweepArguments) -> NonZeroUsize {
-    let cores = || std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    arguments.jobs.unwrap_or_else(cores)
-}
-
 /// Makes the runs that have no row yet; all rows, in the order of the plan.
 fn finish(
     plan: &SweepPlan,
@@ -77,33 +71,12 @@ fn finish(
     jobs: NonZeroUsize,
 ) -> Result<Vec<SweepRow>, CliError> {
     let pending: Vec<usize> = (0..rows.len()).filter(|&run| rows[run].is_none()).collect();
-    let failures = AtomicUsize::new(rows.iter().flatten().filter(|row| row.failed()).count());
-    let bar = progress(rows.len(), rows.len() - pending.len());
-    let sink = |row: &SweepRow| {
-        journal.append(row)?;
-        let failed = usize::from(row.failed());
-        bar.set_message(format!("failures: {}", failures.fetch_add(failed, Ordering::Relaxed) + failed));
-        bar.inc(1);
-        Ok(())
-    };
-    let sink: &RowSink<'_, CliError> = &sink;
-    let done = run_sweep(plan, &pending, jobs, sink);
-    bar.finish_and_clear();
-    for row in done? {
+    let work = Work { journal, done: &rows, failed: SweepRow::failed };
+    for row in work.finish(|sink| run_sweep(plan, &pending, jobs, sink))? {
         let run = row.run;
         rows[run] = Some(row);
     }
     Ok(rows.into_iter().flatten().collect())
-}
-
-fn progress(runs: usize, done: usize) -> ProgressBar {
-    let bar = ProgressBar::new(runs as u64).with_position(done as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} (left: {eta}) {msg}") {
-        bar.set_style(style);
-    }
-    // The runs of an earlier session say nothing about the speed of this one.
-    bar.reset_eta();
-    bar
 }
 
 /// Writes rows and summary; returns the text of the summary.

@@ -4,9 +4,11 @@
 //! (`g > 1` means regulation is needed); `m = ‖F_N q̇d‖∞` is the largest use of a limit.
 
 mod feedback;
+mod signal;
 mod time;
 
 pub use feedback::{FeedbackBand, FeedbackLoop, drifting_band_with_feedback};
+pub use signal::{SignalBand, Signals, implicit_chattering};
 pub use time::{TimeBracket, time_bracket};
 
 use libm::{exp, log1p};

@@ -1,5 +1,6 @@
 use crate::acceleration::online_limits;
 use crate::course::{Course, ProfilePoint};
+use crate::disturbances::Disturbances;
 use crate::error::{Fault, LabError};
 use crate::joint_path::JointPath;
 use crate::law::Method;
@@ -49,9 +50,12 @@ struct Traced<const N: usize> {
 
 /// What an experiment does without knowing the number of joints.
 trait AnyJoints {
+    fn joints(&self) -> usize;
     fn control(&self) -> ControlSettings;
     fn limits_acceleration(&self) -> bool;
     fn has_natural_laws(&self) -> bool;
+    fn disturbances(&self) -> &Disturbances;
+    fn disturb(&mut self, disturbances: &Disturbances) -> Result<(), LabError>;
     fn scale_speed_limits(&mut self, by: f64) -> Result<(), LabError>;
     fn course(&self, trace: &Trace) -> Course;
     fn course_along(&self, profile: &[ProfilePoint]) -> Result<Course, LabError>;
@@ -62,6 +66,7 @@ trait AnyJoints {
     fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, LabError>;
     fn tool_path(&self, points: usize) -> Vec<[f64; 3]>;
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]>;
+    fn command_use(&self, trace: &Trace) -> Result<f64, LabError>;
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse>;
     fn position_excesses(&self) -> Vec<PositionExcess>;
     fn spare_joints(&self) -> usize;
@@ -134,6 +139,29 @@ impl Experiment {
         let mut other = self.clone();
         other.any_mut().scale_speed_limits(by)?;
         other.shortest_time = other.any().sample(200, 3)?.speed_limited_time();
+        Ok(other)
+    }
+
+    /// Number of joints.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.any().joints()
+    }
+
+    /// What the controller does not know of in this experiment's runs.
+    #[must_use]
+    pub fn disturbances(&self) -> &Disturbances {
+        self.any().disturbances()
+    }
+
+    /// The same experiment under other disturbances: the very runs of a scenario whose table `[disturbances]` says so.
+    ///
+    /// # Errors
+    ///
+    /// Disturbances that no scenario may have, NaN among them.
+    pub fn with_disturbances(&self, disturbances: &Disturbances) -> Result<Self, LabError> {
+        let mut other = self.clone();
+        other.any_mut().disturb(disturbances)?;
         Ok(other)
     }
 
@@ -236,6 +264,16 @@ impl Experiment {
         self.any().tool_trace(trace)
     }
 
+    /// The largest share of a joint-speed limit that any command of a run used, the robot's catching up included: at most 1, to the
+    /// last bit, for every method that has limits (claim `command-within-limits`). Infinite if a command is not a number.
+    ///
+    /// # Errors
+    ///
+    /// A limit that varies along the path and has the wrong sign where the run went.
+    pub fn command_use(&self, trace: &Trace) -> Result<f64, LabError> {
+        self.any().command_use(trace)
+    }
+
     /// What a run used of each kind of limit that the scenario gives besides constant joint-speed limits.
     #[must_use]
     pub fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
@@ -268,6 +306,10 @@ impl<const N: usize> Traced<N> {
 }
 
 impl<const N: usize> AnyJoints for Traced<N> {
+    fn joints(&self) -> usize {
+        N
+    }
+
     fn control(&self) -> ControlSettings {
         self.problem.control
     }
@@ -278,6 +320,16 @@ impl<const N: usize> AnyJoints for Traced<N> {
 
     fn has_natural_laws(&self) -> bool {
         self.natural.is_some()
+    }
+
+    fn disturbances(&self) -> &Disturbances {
+        &self.problem.disturbances
+    }
+
+    fn disturb(&mut self, disturbances: &Disturbances) -> Result<(), LabError> {
+        disturbances.check(N)?;
+        self.problem.disturbances = disturbances.clone();
+        Ok(())
     }
 
     fn scale_speed_limits(&mut self, by: f64) -> Result<(), LabError> {
@@ -339,6 +391,10 @@ impl<const N: usize> AnyJoints for Traced<N> {
     fn tool_trace(&self, trace: &Trace) -> Vec<[f64; 3]> {
         let tool = |q: &[f64]| self.problem.arm.forward(&slideway_robot::JointVector::from_fn(|i, _| q[i]));
         trace.samples.iter().map(|s| tool(&s.q).translation.vector.into()).collect()
+    }
+
+    fn command_use(&self, trace: &Trace) -> Result<f64, LabError> {
+        self.problem.command_use(trace)
     }
 
     fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {

@@ -1,3 +1,4 @@
+use crate::error::LabError;
 use crate::joint_bounds::JointRange;
 use crate::limits::LimitKind;
 use crate::problem::Problem;
@@ -47,6 +48,16 @@ impl<const N: usize> Problem<N> {
             }
         }
         worst
+    }
+
+    /// Largest share of a joint-speed limit used by a command; infinite for one that is not a number.
+    pub(crate) fn command_use(&self, trace: &Trace) -> Result<f64, LabError> {
+        let mut largest = 0.0_f64;
+        for sample in &trace.samples {
+            let limits = self.speed_limits_at(sample.lambda)?;
+            largest = largest.max(limits.ratio(&std::array::from_fn(|i| sample.commanded[i])));
+        }
+        Ok(largest)
     }
 
     fn instant(&self, before: &Sample, here: &Sample, period: f64) -> Instant<N> {

@@ -1,3 +1,4 @@
+use crate::disturbances::Disturbances;
 use crate::dynamic_limits::{ToolLimits, TorqueLimits};
 use crate::error::{Fault, LabError};
 use crate::joint_bounds::JointBounds;
@@ -51,6 +52,8 @@ pub struct Problem<const N: usize> {
     pub start_euler: EulerAngles,
     /// The configuration on the path's first point, on the same branch.
     pub path_start: JointVector<N>,
+    /// What the controller does not know of.
+    pub disturbances: Disturbances,
 }
 
 /// Parameters of the controller and of the speed regulator.
@@ -138,6 +141,7 @@ impl<const N: usize> Problem<N> {
             start: JointVector::zeros(),
             start_euler: EulerAngles::zeros(),
             path_start: JointVector::zeros(),
+            disturbances: Disturbances::read(&file.disturbances, N)?,
         };
         Placement { problem: &mut problem, scenario }.place()?;
         Ok(problem)

@@ -1,10 +1,11 @@
 use crate::controller::Demand;
+use crate::disturbances::{World, displaced};
 use crate::error::LabError;
 use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::trace::{Chatter, Sample, Trace};
-use slideway_conditioner::{Saturation, SpeedLimits, bounds};
+use slideway_conditioner::{AffineSpeed, Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -28,15 +29,32 @@ pub(crate) fn simulate<const N: usize>(
     Ok(run.trace)
 }
 
+/// One instant as it is and as the controller sees it.
+struct Observed<const N: usize> {
+    /// What the controller makes of what it sees.
+    demand: Demand<N>,
+    /// What it would make of the truth.
+    truth: Demand<N>,
+    /// What it sees less what is, where it does not see the truth.
+    offset: Option<JointVector<N>>,
+}
+
 /// A run in progress.
 struct Run<'a, const N: usize> {
     problem: &'a Problem<N>,
     law: Law<N>,
     integration: Integration,
     period: f64,
+    /// What the sample before really lasted, s.
+    elapsed: f64,
+    /// By how much the clock is ahead of the counted samples, s.
+    drift: f64,
     lambda: f64,
     q: JointVector<N>,
     euler: EulerAngles,
+    /// Euler triple of the tool as the controller saw it one sample earlier.
+    seen_euler: EulerAngles,
+    world: World<N>,
     /// The sample before: demand and factor, for the change of the desired speed.
     before: Option<(Demand<N>, f64, [f64; N])>,
     /// Distance from the path's end at the sample before, while the robot settles there.
@@ -56,9 +74,13 @@ impl<'a, const N: usize> Run<'a, N> {
             law: Law::new(problem, method, fixed_rate)?,
             integration,
             period,
+            elapsed: period,
+            drift: 0.0,
             lambda: problem.path.start(),
-            q: problem.start,
+            q: displaced(&problem.start, &problem.disturbances),
             euler: problem.start_euler,
+            seen_euler: problem.start_euler,
+            world: World::new(&problem.disturbances),
             before: None,
             settling: None,
             trace: Trace {
@@ -72,10 +94,33 @@ impl<'a, const N: usize> Run<'a, N> {
         })
     }
 
-    /// Samples are counted, not summed: no drift of the clock.
+    /// Samples are counted, not summed: the clock drifts by jitter alone.
     #[allow(clippy::cast_precision_loss)]
     fn t(&self) -> f64 {
-        self.trace.samples.len() as f64 * self.period
+        self.trace.samples.len() as f64 * self.period + self.drift
+    }
+
+    /// Once a sample: measures, and keeps both Euler triples for the next one.
+    fn observe(&mut self) -> Observed<N> {
+        let truth = self.problem.demand(&self.q, &self.euler, self.lambda);
+        self.euler = truth.euler;
+        let Some(seen) = self.world.measure(&self.q) else {
+            return Observed { demand: truth, truth, offset: None };
+        };
+        let demand = self.problem.demand(&seen, &self.seen_euler, self.lambda);
+        self.seen_euler = demand.euler;
+        Observed { demand, truth, offset: Some(seen - self.q) }
+    }
+
+    /// Lets the joints move for one period, however long it really is.
+    fn move_joints(&mut self, speed: JointVector<N>) {
+        self.q += self.world.moved(speed) * self.elapsed;
+    }
+
+    /// Draws how long the coming period lasts. The sample of its begin must have been recorded with the clock before.
+    fn begin_period(&mut self) {
+        self.elapsed = self.world.period(self.period);
+        self.drift += self.elapsed - self.period;
     }
 
     fn is_finite(&self) -> bool {
@@ -86,7 +131,8 @@ impl<'a, const N: usize> Run<'a, N> {
     fn follow(&mut self) -> Result<(), LabError> {
         let t = self.t();
         let remaining = self.problem.path.end() - self.lambda;
-        let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
+        let observed = self.observe();
+        let demand = observed.demand;
         let here = Situation {
             lambda: self.lambda,
             limits: self.problem.speed_limits_at(self.lambda)?,
@@ -95,35 +141,44 @@ impl<'a, const N: usize> Run<'a, N> {
         };
         let law_before = self.law.clone();
         let decision = self.law.step(self.problem, &demand, &here);
-        self.record(t, &demand, &decision, &here.limits);
+        self.record(t, &observed, &decision, &here.limits);
+        self.begin_period();
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
         let span = self.problem.path.end() - self.problem.path.start();
         if remaining - decision.advance_rate * self.period <= 1e-12 * span && rate > 0.0 {
-            self.trace.finish_s = Some(t + remaining / rate);
+            // The controller counts on a whole period; its share is that of the real one.
+            self.trace.finish_s = Some(t + remaining / rate * (self.elapsed / self.period));
             self.lambda = self.problem.path.end();
         } else {
             self.lambda += decision.advance_rate * self.period;
         }
-        self.q = match self.integration {
-            Integration::Euler => self.q + JointVector::from(decision.command.joint_speed) * self.period,
-            Integration::Rk4 => self.rk4(&law_before, &decision, &here),
-        };
-        self.euler = demand.euler;
+        match self.integration {
+            Integration::Euler => self.move_joints(decision.command.joint_speed.into()),
+            Integration::Rk4 => self.q = self.rk4(&law_before, &decision, &here, observed.offset),
+        }
         Ok(())
     }
 
-    /// One Runge-Kutta step of the joint positions with the reference moving at its own rate.
-    fn rk4(&self, law: &Law<N>, first: &Decision<N>, here: &Situation<N>) -> JointVector<N> {
-        let (h, rate) = (self.period, first.advance_rate);
-        let begin = self.lambda - if self.trace.finish_s.is_some() { 0.0 } else { rate * h };
+    /// One Runge-Kutta step of the joint positions with the reference moving at its own rate. What is wrong with a measurement stays
+    /// wrong with it until the next one.
+    fn rk4(
+        &self,
+        law: &Law<N>,
+        first: &Decision<N>,
+        here: &Situation<N>,
+        offset: Option<JointVector<N>>,
+    ) -> JointVector<N> {
+        let (h, rate) = (self.elapsed, first.advance_rate);
+        let begin = self.lambda - if self.trace.finish_s.is_some() { 0.0 } else { rate * self.period };
         let slope = |q: JointVector<N>, fraction: f64| -> JointVector<N> {
-            let lambda = (begin + fraction * rate * h).min(self.problem.path.end());
-            let demand = self.problem.demand(&q, &self.euler, lambda);
+            let lambda = (begin + fraction * rate * self.period).min(self.problem.path.end());
+            let seen = offset.map_or(q, |offset| q + offset);
+            let demand = self.problem.demand(&seen, &self.seen_euler, lambda);
             let here = Situation { lambda, to_end: rate, ..*here };
-            law.clone().step(self.problem, &demand, &here).command.joint_speed.into()
+            self.world.moved(law.clone().step(self.problem, &demand, &here).command.joint_speed.into())
         };
-        let k1 = JointVector::from(first.command.joint_speed);
+        let k1 = self.world.moved(first.command.joint_speed.into());
         let k2 = slope(self.q + k1 * (h / 2.0), 0.5);
         let k3 = slope(self.q + k2 * (h / 2.0), 0.5);
         let k4 = slope(self.q + k3 * h, 1.0);
@@ -133,12 +188,13 @@ impl<'a, const N: usize> Run<'a, N> {
     /// One sample of the robot catching up with a reference at its end; whether it has arrived.
     fn settle(&mut self) -> Result<bool, LabError> {
         let t = self.t();
-        let demand = self.problem.demand(&self.q, &self.euler, self.lambda);
-        let distance = demand.distance;
+        let observed = self.observe();
+        // To have arrived is a fact, whatever the controller sees.
+        let distance = observed.truth.distance;
         if matches!(self.law, Law::Acceleration(_)) {
-            return Ok(self.settle_under_acceleration_limits(t, &demand));
+            return Ok(self.settle_under_acceleration_limits(t, &observed));
         }
-        let desired: [f64; N] = demand.feedback.into();
+        let desired: [f64; N] = observed.demand.feedback.into();
         let limits = self.problem.speed_limits_at(self.lambda)?;
         let saturation =
             if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
@@ -155,8 +211,9 @@ impl<'a, const N: usize> Run<'a, N> {
             direction_factor: limits.saturate(&desired, saturation).direction_factor,
             limit_ratio: limits.ratio(&desired),
             limiting_joint: limits.limiting_joint(&desired),
-            error: demand.error.into(),
+            error: observed.truth.error.into(),
             q: pad(&self.q),
+            split: self.split(&observed.demand),
             desired: pad(&desired.into()),
             commanded: pad(&joint_speed.into()),
             chatter: None,
@@ -166,25 +223,26 @@ impl<'a, const N: usize> Run<'a, N> {
             return Ok(true);
         }
         self.settling = Some(distance);
-        self.q += JointVector::from(joint_speed) * self.period;
-        self.euler = demand.euler;
+        self.begin_period();
+        self.move_joints(joint_speed.into());
         Ok(false)
     }
 
     /// The same under acceleration limits, where to be there means to be able to stay: the joints can stand with the next sample.
-    fn settle_under_acceleration_limits(&mut self, t: f64, demand: &Demand<N>) -> bool {
+    fn settle_under_acceleration_limits(&mut self, t: f64, observed: &Observed<N>) -> bool {
         let Law::Acceleration(law) = &mut self.law else { return true };
         let could_stand = law.can_stand();
-        let decision = law.settle(self.problem, demand);
-        self.record(t, demand, &decision, &self.problem.speed_limits);
-        if demand.distance <= 1.0 && could_stand {
+        let decision = law.settle(self.problem, &observed.demand);
+        self.record(t, observed, &decision, &self.problem.speed_limits);
+        let distance = observed.truth.distance;
+        if distance <= 1.0 && could_stand {
             let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);
-            self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, demand.distance) });
+            self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, distance) });
             return true;
         }
-        self.settling = Some(demand.distance);
-        self.q += JointVector::from(decision.command.joint_speed) * self.period;
-        self.euler = demand.euler;
+        self.settling = Some(distance);
+        self.begin_period();
+        self.move_joints(decision.command.joint_speed.into());
         false
     }
 
@@ -194,14 +252,20 @@ impl<'a, const N: usize> Run<'a, N> {
             // The sample before stood outside, with the reference already at its end.
             Some(before) => {
                 let fraction = if before > distance { (before - 1.0) / (before - distance) } else { 1.0 };
-                t - self.period + self.period * fraction.clamp(0.0, 1.0)
+                t - self.elapsed + self.elapsed * fraction.clamp(0.0, 1.0)
             }
             None => self.trace.finish_s.unwrap_or(t),
         }
     }
 
-    fn record(&mut self, t: f64, demand: &Demand<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
-        let command = &decision.command;
+    /// `A` and `B` at a sample.
+    fn split(&self, demand: &Demand<N>) -> AffineSpeed<MAX_JOINTS> {
+        let feedforward = demand.path_speed * self.problem.control.target_rate;
+        AffineSpeed { feedback: pad(&demand.feedback), feedforward: pad(&feedforward) }
+    }
+
+    fn record(&mut self, t: f64, observed: &Observed<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
+        let (command, demand) = (&decision.command, &observed.demand);
         let shortened = decision.advance_rate < command.path_rate;
         let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
             (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
@@ -216,8 +280,9 @@ impl<'a, const N: usize> Run<'a, N> {
             direction_factor: command.direction_factor,
             limit_ratio: command.limit_ratio,
             limiting_joint: limits.limiting_joint(&decision.desired),
-            error: demand.error.into(),
+            error: observed.truth.error.into(),
             q: pad(&self.q),
+            split: self.split(demand),
             desired: pad(&decision.desired.into()),
             commanded: pad(&command.joint_speed.into()),
             chatter,

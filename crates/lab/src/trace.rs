@@ -1,5 +1,6 @@
 use crate::law::Method;
 use crate::robot::MAX_JOINTS;
+use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
 use std::io;
 
@@ -10,7 +11,7 @@ pub struct Trace {
     pub method: Method,
     /// Number of joints; entries of the joint arrays beyond it are zero.
     pub joints: usize,
-    /// Sampling period, s.
+    /// Sampling period that the controller counts on, s.
     pub sampling_period: f64,
     /// When the reference reached the path's end, interpolated with the last path rate, s.
     pub finish_s: Option<f64>,
@@ -23,7 +24,7 @@ pub struct Trace {
 /// One sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Time, s.
+    /// Time, s: the true one, whatever the controller counted on.
     pub t: f64,
     /// Path parameter `λ`.
     pub lambda: f64,
@@ -39,10 +40,12 @@ pub struct Sample {
     pub limit_ratio: f64,
     /// The joint that uses most of its limit, counted from 0.
     pub limiting_joint: Option<usize>,
-    /// Pose error `p_ref - p`, m and rad.
+    /// Pose error `p_ref - p`, m and rad: the true one, whatever the controller saw.
     pub error: [f64; 6],
-    /// Joint position, rad.
+    /// Joint position, rad: the true one.
     pub q: [f64; MAX_JOINTS],
+    /// The demand `q̇d = A + f B` as the controller saw it, rad/s; `desired` differs where the path rate was cut short.
+    pub split: AffineSpeed<MAX_JOINTS>,
     /// Desired joint speed `q̇d`, rad/s.
     pub desired: [f64; MAX_JOINTS],
     /// Commanded joint speed `q̇ds`, rad/s.

@@ -1,6 +1,7 @@
 //! Path conditioning: a reference, constraints, and every method that bends the one around the other.
 
 mod constraint;
+mod disturbances;
 mod expression;
 mod metrics;
 mod problem;
@@ -10,6 +11,7 @@ mod schema;
 mod trace;
 
 pub use constraint::{NamedConstraint, Shape3};
+pub use disturbances::PathDisturbances;
 pub use expression::ExpressionConstraint;
 pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
 pub use problem::{ConditioningProblem, MarginChoice, Reference};

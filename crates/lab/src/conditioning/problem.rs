@@ -1,4 +1,5 @@
 use super::constraint::NamedConstraint;
+use super::disturbances::PathDisturbances;
 use super::schema::{ConditionerTable, ConditioningFile, LawTable, MarginTable, ReferenceTable, TrapTable, WalkTable};
 use super::trace::MAX_CONSTRAINTS;
 use crate::error::{Fault, LabError};
@@ -35,6 +36,8 @@ pub struct ConditioningProblem {
     pub repulsion: f64,
     /// Distance of influence of the potential field, m.
     pub influence: f64,
+    /// What the conditioner does not know of.
+    pub disturbances: PathDisturbances,
 }
 
 /// Safety margin, for any number of constraints.
@@ -145,7 +148,9 @@ impl ConditioningProblem {
             attraction: field.attraction.map_or(Ok(20.0), |v| positive("potential_field.attraction", v))?,
             repulsion: field.repulsion.map_or(Ok(5e-6), |v| positive("potential_field.repulsion", v))?,
             influence: field.influence.map_or(Ok(0.1), |v| positive("potential_field.influence", v))?,
+            disturbances: PathDisturbances::read(&file.disturbances)?,
         };
+        file.verify.read()?;
         problem.check_gradients()?;
         Ok(problem)
     }

@@ -1,9 +1,11 @@
+use super::disturbances::Surroundings;
 use super::problem::{ConditioningProblem, MarginChoice};
 use super::trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};
 use crate::error::LabError;
 use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
-    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathStep, TrapPhase, Walk,
+    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathState, PathStep, TrapPhase,
+    Walk,
 };
 
 /// Samples after which a run is given up.
@@ -96,7 +98,8 @@ fn conditioner<const M: usize>(
 #[allow(clippy::cast_precision_loss)]
 fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
     let conditioner = conditioner::<M>(problem, method)?;
-    let mut state = conditioner.on_reference();
+    let mut state = start(problem, &conditioner)?;
+    let mut world = Surroundings::<M>::new(&problem.disturbances, problem.sampling_period);
     let mut trace = ConditionedTrace {
         method,
         constraints: problem.constraints.iter().map(|c| c.name.clone()).collect(),
@@ -104,24 +107,45 @@ fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Res
         finish_s: None,
         samples: Vec::new(),
     };
-    let mut clock = 0.0;
+    // By how much the true time is ahead of the counted one, s: jitter.
+    let (mut clock, mut drift) = (0.0, 0.0);
     let duration = problem.reference.duration();
     while trace.samples.len() < MAX_SAMPLES {
-        let t = trace.samples.len() as f64 * problem.sampling_period;
+        let t = trace.samples.len() as f64 * problem.sampling_period + drift;
         if t > problem.reference.max_duration() {
             break;
         }
         let reference = problem.reference.at(t, clock, state.pace());
-        let step = conditioner.step(&mut state, &reference, |motion| problem.sample(motion));
-        trace.samples.push(sample(problem, clock, &reference, &step));
+        world.measure();
+        let step =
+            conditioner.step(&mut state, &reference, |motion| world.seen(problem.sample(&world.seen_at(motion))));
+        trace.samples.push(sample(problem, clock, &reference, &step, &world));
         // Half a nanosecond covers the rounding of the summed sampling periods.
         if clock + 5e-10 >= duration {
             trace.finish_s = Some(t);
             break;
         }
-        clock = (clock + step.advance).min(duration);
+        let period = world.period(problem.sampling_period);
+        drift += period - problem.sampling_period;
+        clock = (clock + step.advance * (period / problem.sampling_period)).min(duration);
     }
     Ok(trace)
+}
+
+/// On the reference and with its velocity, or at rest where the scenario puts it.
+fn start<const M: usize>(
+    problem: &ConditioningProblem,
+    conditioner: &PathConditioner<3, M>,
+) -> Result<PathState<3, M>, LabError> {
+    let error = problem.disturbances.initial_error;
+    if error == [0.0; 3] {
+        return Ok(conditioner.on_reference());
+    }
+    let mut position = problem.reference.at(0.0, 0.0, 1.0).position;
+    for (p, e) in position.iter_mut().zip(&error) {
+        *p += e;
+    }
+    conditioner.at_rest(&position).map_err(|refused| LabError::value("disturbances.initial_error", refused))
 }
 
 fn sample<const M: usize>(
@@ -129,15 +153,24 @@ fn sample<const M: usize>(
     clock: f64,
     reference: &Motion<3>,
     step: &PathStep<3, M>,
+    world: &Surroundings<M>,
 ) -> ConditionedSample {
-    let gradient = problem.sample::<M>(&step.motion).map(|s| s.gradient.iter().map(|g| g * g).sum::<f64>().sqrt());
+    let truth = problem.sample::<M>(&step.motion);
+    let (mut sigma, mut phi) = (step.sigma, step.phi);
+    if !world.shows_the_truth() {
+        let approach = problem.approach::<M>();
+        sigma = truth.map(|s| s.value);
+        phi = std::array::from_fn(|i| truth[i].phi(approach[i], &step.motion.velocity));
+    }
+    let gradient = truth.map(|s| s.gradient.iter().map(|g| g * g).sum::<f64>().sqrt());
     ConditionedSample {
         t: reference.time,
         lambda: problem.reference.lambda(clock),
         reference: reference.position,
         position: step.motion.position,
-        sigma: pad(&step.sigma),
-        phi: pad(&step.phi),
+        sigma: pad(&sigma),
+        phi: pad(&phi),
+        seen_phi: pad(&step.phi),
         share: pad(&step.share),
         gradient: pad(&gradient),
         push: step.push,

@@ -1,8 +1,8 @@
 use super::problem::ConditioningProblem;
 use super::schema::ConditioningFile;
-use crate::Expectation;
 use crate::error::LabError;
 use crate::scenario::from_toml;
+use crate::{Expectation, VerifyOptions};
 use std::path::{Path, PathBuf};
 
 /// The scenario of a path-conditioning study: its text and what the text says.
@@ -39,6 +39,15 @@ impl ConditioningScenario {
     /// The first value that cannot be used, with its key.
     pub fn problem(&self) -> Result<ConditioningProblem, LabError> {
         ConditioningProblem::new(&self.file, &self.folder)
+    }
+
+    /// What a campaign of random trials around it is asked to do.
+    ///
+    /// # Errors
+    ///
+    /// A greatest disturbance that no scenario may have.
+    pub fn verify_options(&self) -> Result<VerifyOptions, LabError> {
+        self.file.verify.read()
     }
 
     /// Name on the command line, or the stem of the file.

@@ -2,6 +2,7 @@
 
 use crate::scenario::number::Number;
 use crate::scenario::schema::{CompareTable, PositionTable};
+use crate::verify_options::PathVerifyTable;
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Deserialize)]
@@ -17,6 +18,21 @@ pub(crate) struct ConditioningFile {
     pub(crate) potential_field: PotentialFieldTable,
     #[serde(default)]
     pub(crate) compare: CompareTable,
+    #[serde(default)]
+    pub(crate) disturbances: PathDisturbancesTable,
+    #[serde(default)]
+    pub(crate) verify: PathVerifyTable,
+}
+
+/// What happens in a run and the conditioner does not know of.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PathDisturbancesTable {
+    pub(crate) seed: Option<u64>,
+    pub(crate) initial_error: Option<[Number; 3]>,
+    pub(crate) distance_noise: Option<Number>,
+    pub(crate) delay: Option<u32>,
+    pub(crate) jitter: Option<Number>,
 }
 
 #[derive(Clone, Debug, Deserialize)]

@@ -120,6 +120,8 @@ pub struct ConditionedSample {
     pub sigma: [f64; MAX_CONSTRAINTS],
     /// `φ_i` at the conditioned reference; NaN for methods without a velocity.
     pub phi: [f64; MAX_CONSTRAINTS],
+    /// `φ_i` as the method saw it: the same unless measurements are disturbed.
+    pub seen_phi: [f64; MAX_CONSTRAINTS],
     /// Share of each constraint in the push.
     pub share: [f64; MAX_CONSTRAINTS],
     /// Length of `∇σ_i` at the conditioned reference.

@@ -11,6 +11,7 @@ use crate::scenario::Scenario;
 use crate::scenario::schema::{FactorName, NaturalTable};
 use crate::simulate::{MAX_SAMPLES, pad};
 use crate::trace::{Sample, Trace};
+use slideway_conditioner::AffineSpeed;
 use slideway_robot::EulerAngles;
 use slideway_robot::augmented::SpeedFactor;
 
@@ -130,6 +131,7 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
             limiting_joint: None,
             error: demand.error.into(),
             q: pad(&problem.path_start),
+            split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: [0.0; MAX_JOINTS] },
             desired: [0.0; MAX_JOINTS],
             commanded: [0.0; MAX_JOINTS],
             chatter: None,
@@ -177,6 +179,7 @@ fn record<const N: usize>(
         limiting_joint: limits.limiting_joint(&speed.into()),
         error: demand.error.into(),
         q: pad(&place.q),
+        split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: pad(&speed) },
         desired: pad(&speed),
         commanded: pad(&speed),
         chatter: None,

@@ -6,6 +6,7 @@ pub(crate) mod schema;
 
 use crate::error::{Fault, LabError};
 use crate::law::Method;
+use crate::verify_options::VerifyOptions;
 pub use schema::Expectation;
 use schema::ScenarioFile;
 use serde::de::DeserializeOwned;
@@ -156,6 +157,7 @@ impl Scenario {
             };
             return Err(LabError::value("optimum.grid_points", fault));
         }
+        self.verify_options()?;
         if !(self.tolerance() > 0.0) {
             return Err(LabError::value("compare.tolerance", Fault::NotPositive(self.tolerance())));
         }
@@ -183,6 +185,21 @@ impl Scenario {
     #[must_use]
     pub fn tolerance(&self) -> f64 {
         self.file.compare.tolerance.map_or(0.02, |t| t.0)
+    }
+
+    /// Whether a seed changes anything.
+    pub(crate) fn is_random(&self) -> bool {
+        let table = &self.file.disturbances;
+        table.joint_noise.is_some_and(|n| n.0 != 0.0) || table.jitter.is_some_and(|j| j.0 != 0.0)
+    }
+
+    /// What a campaign of random trials around it is asked to do.
+    ///
+    /// # Errors
+    ///
+    /// A greatest disturbance that no scenario may have.
+    pub fn verify_options(&self) -> Result<VerifyOptions, LabError> {
+        self.file.verify.read()
     }
 
     /// Grid points of the optimum.

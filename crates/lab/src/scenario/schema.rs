@@ -3,6 +3,7 @@
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
 use crate::law::Method;
+use crate::verify_options::SpeedVerifyTable;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -21,6 +22,10 @@ pub(crate) struct ScenarioFile {
     #[serde(default)]
     pub(crate) fixed_speed: FixedSpeedTable,
     pub(crate) natural: Option<NaturalTable>,
+    #[serde(default)]
+    pub(crate) disturbances: DisturbancesTable,
+    #[serde(default)]
+    pub(crate) verify: SpeedVerifyTable,
     #[serde(default)]
     pub(crate) optimum: OptimumTable,
     #[serde(default)]
@@ -247,6 +252,18 @@ pub(crate) enum IntegrationName {
     #[default]
     Euler,
     Rk4,
+}
+
+/// What happens in a run and the controller does not know of.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DisturbancesTable {
+    pub(crate) seed: Option<u64>,
+    pub(crate) initial_error: Option<Vec<Number>>,
+    pub(crate) joint_noise: Option<Number>,
+    pub(crate) speed_error: Option<Vec<Number>>,
+    pub(crate) delay: Option<u32>,
+    pub(crate) jitter: Option<Number>,
 }
 
 /// Constant speed and natural motion beside the other methods.

@@ -7,6 +7,7 @@ use crate::conditioning::{
     ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, check_conditioner,
     run_conditioner,
 };
+use crate::disturbances::Disturbances;
 use crate::error::LabError;
 use crate::experiment::Experiment;
 use crate::law::Method;
@@ -70,7 +71,10 @@ impl Cell {
 
     /// Whether a seed changes anything.
     pub(crate) fn is_random(&self) -> bool {
-        matches!(&self.subject, Subject::Conditioning { problem, .. } if problem.trap.is_some())
+        match &self.subject {
+            Subject::Conditioning { problem, .. } => problem.trap.is_some() || problem.disturbances.are_random(),
+            Subject::Speed { scenario, .. } => scenario.is_random(),
+        }
     }
 
     pub(crate) fn method(&self) -> &'static str {
@@ -93,7 +97,7 @@ impl Cell {
     pub(crate) fn run(&self, run: usize, seed: Option<u64>) -> Result<SweepRow, SweepError> {
         let row = match &self.subject {
             Subject::Conditioning { problem, method } => conditioned(problem, *method, run, seed),
-            Subject::Speed { scenario, method } => regulated(scenario, *method, run),
+            Subject::Speed { scenario, method } => regulated(scenario, *method, run, seed),
         };
         row.map_err(|error| SweepError::Cell {
             error: Box::new(error),
@@ -140,8 +144,9 @@ fn conditioned(
     seed: Option<u64>,
 ) -> Result<SweepRow, LabError> {
     let mut problem = problem.clone();
-    if let (Some(trap), Some(seed)) = (&mut problem.trap, seed) {
-        trap.seed = seed;
+    if let Some(seed) = seed {
+        problem.disturbances.seed = seed;
+        problem.trap.iter_mut().for_each(|trap| trap.seed = seed);
     }
     let trace = run_conditioner(&problem, method)?;
     let summary = PathMethodSummary::new(&problem, &trace, None, None);
@@ -155,7 +160,11 @@ fn broken(trace: &ConditionedTrace) -> usize {
     (0..trace.constraints.len()).filter(|&i| !holds(i)).count()
 }
 
-fn regulated(scenario: &Scenario, method: Method, run: usize) -> Result<SweepRow, LabError> {
-    let summary = MethodSummary::new(&Experiment::new(scenario)?.run(method)?);
+fn regulated(scenario: &Scenario, method: Method, run: usize, seed: Option<u64>) -> Result<SweepRow, LabError> {
+    let mut experiment = Experiment::new(scenario)?;
+    if let Some(seed) = seed {
+        experiment = experiment.with_disturbances(&Disturbances { seed, ..experiment.disturbances().clone() })?;
+    }
+    let summary = MethodSummary::new(&experiment.run(method)?);
     Ok(SweepRow { run, completed: summary.completed, broken: 0, values: columns::speed_values(&summary) })
 }

@@ -1,4 +1,5 @@
 use crate::error::LabError;
+use crate::parallel::ThreadsError;
 use thiserror::Error;
 
 /// Everything that can be wrong with a sweep.
@@ -87,13 +88,8 @@ pub enum SweepError {
         text: String,
     },
     /// The system gives no threads.
-    #[error("cannot start {jobs} threads: {reason}")]
-    Threads {
-        /// How many were asked for.
-        jobs: usize,
-        /// What the system says.
-        reason: String,
-    },
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
 }
 
 impl SweepError {
@@ -116,7 +112,7 @@ impl SweepError {
             Self::Runs { .. } => "ask for fewer seeds or a coarser grid, and give every grid key a value".into(),
             Self::Columns => "sweep each set of constraints by itself".into(),
             Self::Cell { error, .. } => error.remedy(),
-            Self::Threads { .. } => "ask for fewer with --jobs".into(),
+            Self::Threads(error) => error.remedy(),
         }
     }
 }

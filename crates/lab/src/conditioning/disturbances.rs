@@ -1,0 +1,118 @@
+use super::schema::PathDisturbancesTable;
+use crate::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, within};
+use crate::error::LabError;
+use slideway_conditioner::path::{ConstraintSample, Motion};
+
+/// What happens in a conditioned run and the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By
+/// default nothing.
+///
+/// They concern the forms of the conditioner; the methods that it is compared with run without. The conditioned position is the
+/// conditioner's own output and needs no measurement: what it is told about the constraints does. A trace tells the truth: `σ` and
+/// `φ` are those of the constraints as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PathDisturbances {
+    /// Seed of noise and jitter, which draw from sequences of their own.
+    pub seed: u64,
+    /// Where the conditioned reference starts, relative to the reference, m. Unless it is zero the start is at rest.
+    pub initial_error: [f64; 3],
+    /// Greatest noise of a measured distance `σ`, m: uniform, drawn anew for every constraint and sample. Gradients are seen right.
+    pub distance_noise: f64,
+    /// Samples by which the constraints are seen late: where they were then. One that stands still is seen right.
+    pub delay: u32,
+    /// Share of the sampling period by which a period may be longer or shorter, uniform: it lasts `T (1 + jitter r)` with `r` in [-1, 1),
+    /// while the conditioner counts on `T`. Reference and constraints go on by what it lasted.
+    pub jitter: f64,
+}
+
+impl PathDisturbances {
+    /// Whether there are none.
+    #[must_use]
+    pub fn are_none(&self) -> bool {
+        self.initial_error == [0.0; 3] && !self.are_random() && self.delay == 0
+    }
+
+    /// Whether the seed changes anything.
+    #[must_use]
+    pub fn are_random(&self) -> bool {
+        self.distance_noise != 0.0 || self.jitter != 0.0
+    }
+
+    pub(crate) fn read(table: &PathDisturbancesTable) -> Result<Self, LabError> {
+        let disturbances = Self {
+            seed: table.seed.unwrap_or(0),
+            initial_error: table.initial_error.map_or([0.0; 3], |e| e.map(|e| e.0)),
+            distance_noise: table.distance_noise.map_or(0.0, |n| n.0),
+            delay: table.delay.unwrap_or(0),
+            jitter: table.jitter.map_or(0.0, |j| j.0),
+        };
+        disturbances.check().map(|()| disturbances)
+    }
+
+    /// Whether they can be meant; NaN cannot.
+    ///
+    /// # Errors
+    ///
+    /// The first value that no scenario may have, with its key.
+    pub fn check(&self) -> Result<(), LabError> {
+        for (i, value) in self.initial_error.iter().enumerate() {
+            within(&format!("initial_error.{i}"), *value, -f64::MAX, f64::MAX)?;
+        }
+        within("distance_noise", self.distance_noise, 0.0, MOST_NOISE)?;
+        within("delay", self.delay.into(), 0.0, MOST_DELAY.into())?;
+        within("jitter", self.jitter, 0.0, MOST_JITTER)
+    }
+}
+
+/// What the conditioner is told about the constraints, and how long its periods last.
+pub(crate) struct Surroundings<const M: usize> {
+    /// Noise of this sample, m; the same for every evaluation in it.
+    noise: Option<[f64; M]>,
+    amplitude: f64,
+    /// How late the constraints are seen, s.
+    late: f64,
+    jitter: f64,
+    measuring: Uniform,
+    clock: Uniform,
+}
+
+impl<const M: usize> Surroundings<M> {
+    pub(crate) fn new(disturbances: &PathDisturbances, period: f64) -> Self {
+        Self {
+            noise: None,
+            amplitude: disturbances.distance_noise,
+            late: f64::from(disturbances.delay) * period,
+            jitter: disturbances.jitter,
+            measuring: Uniform::new(disturbances.seed, 0),
+            clock: Uniform::new(disturbances.seed, 1),
+        }
+    }
+
+    /// Whether the conditioner is told the truth.
+    pub(crate) fn shows_the_truth(&self) -> bool {
+        self.amplitude == 0.0 && self.late == 0.0
+    }
+
+    /// Draws the noise of a new sample.
+    pub(crate) fn measure(&mut self) {
+        let amplitude = self.amplitude;
+        self.noise = (amplitude != 0.0).then(|| std::array::from_fn(|_| amplitude * self.measuring.next()));
+    }
+
+    /// The motion at whose time the constraints are seen; before the start they stood as at the start.
+    pub(crate) fn seen_at(&self, motion: &Motion<3>) -> Motion<3> {
+        if self.late == 0.0 { *motion } else { Motion { time: (motion.time - self.late).max(0.0), ..*motion } }
+    }
+
+    /// What is seen of constraints that are so.
+    pub(crate) fn seen(&self, mut samples: [ConstraintSample<3>; M]) -> [ConstraintSample<3>; M] {
+        for (sample, noise) in samples.iter_mut().zip(self.noise.iter().flatten()) {
+            sample.value += noise;
+        }
+        samples
+    }
+
+    /// How long the coming period really lasts, s. Call it once a sample.
+    pub(crate) fn period(&mut self, nominal: f64) -> f64 {
+        if self.jitter == 0.0 { nominal } else { nominal * (1.0 + self.jitter * self.clock.next()) }
+    }
+}

@@ -1,0 +1,109 @@
+use crate::error::{Fault, LabError};
+use serde::Deserialize;
+
+use crate::scenario::number::Number;
+
+/// What a campaign of random trials around a scenario is asked to do: the table `[verify]`. What is not given is left to the campaign.
+///
+/// The entries but the first two are the greatest of each disturbance; 0 leaves it out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VerifyOptions {
+    /// How many trials.
+    pub trials: Option<u64>,
+    /// Seed of the campaign.
+    pub seed: Option<u64>,
+    /// Error of the start: rad (m) of each joint, or m of each coordinate of the conditioned reference.
+    pub initial_error: Option<f64>,
+    /// Noise of measured joint positions, rad (m); speed scenarios only.
+    pub joint_noise: Option<f64>,
+    /// Error of the drives, share of the commanded speed; speed scenarios only.
+    pub speed_error: Option<f64>,
+    /// Noise of measured distances, m; conditioning scenarios only.
+    pub distance_noise: Option<f64>,
+    /// Delay, samples.
+    pub delay: Option<u32>,
+    /// Jitter, share of the sampling period.
+    pub jitter: Option<f64>,
+}
+
+/// The table of a speed scenario as it is written.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SpeedVerifyTable {
+    trials: Option<u64>,
+    seed: Option<u64>,
+    initial_error: Option<Number>,
+    joint_noise: Option<Number>,
+    speed_error: Option<Number>,
+    delay: Option<u32>,
+    jitter: Option<Number>,
+}
+
+/// The table of a conditioning scenario as it is written.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PathVerifyTable {
+    trials: Option<u64>,
+    seed: Option<u64>,
+    initial_error: Option<Number>,
+    distance_noise: Option<Number>,
+    delay: Option<u32>,
+    jitter: Option<Number>,
+}
+
+impl SpeedVerifyTable {
+    pub(crate) fn read(&self) -> Result<VerifyOptions, LabError> {
+        let number = |number: Option<Number>| number.map(|n| n.0);
+        let options = VerifyOptions {
+            trials: self.trials,
+            seed: self.seed,
+            initial_error: number(self.initial_error),
+            joint_noise: number(self.joint_noise),
+            speed_error: number(self.speed_error),
+            distance_noise: None,
+            delay: self.delay,
+            jitter: number(self.jitter),
+        };
+        options.check()
+    }
+}
+
+impl PathVerifyTable {
+    pub(crate) fn read(&self) -> Result<VerifyOptions, LabError> {
+        let number = |number: Option<Number>| number.map(|n| n.0);
+        let options = VerifyOptions {
+            trials: self.trials,
+            seed: self.seed,
+            initial_error: number(self.initial_error),
+            distance_noise: number(self.distance_noise),
+            delay: self.delay,
+            jitter: number(self.jitter),
+            ..VerifyOptions::default()
+        };
+        options.check()
+    }
+}
+
+impl VerifyOptions {
+    /// The greatest values that the table `[disturbances]` takes; NaN is beyond them.
+    fn check(self) -> Result<Self, LabError> {
+        let noise = crate::disturbances::MOST_NOISE;
+        for (key, value, most) in [
+            ("initial_error", self.initial_error, 10.0),
+            ("joint_noise", self.joint_noise, noise),
+            ("speed_error", self.speed_error, crate::disturbances::MOST_SPEED_ERROR),
+            ("distance_noise", self.distance_noise, noise),
+            ("delay", self.delay.map(f64::from), crate::disturbances::MOST_DELAY.into()),
+            ("jitter", self.jitter, crate::disturbances::MOST_JITTER),
+        ] {
+            if let Some(value) = value.filter(|value| !(0.0..=most).contains(value)) {
+                let fault = Fault::OutOfRange { value, least: 0.0, most };
+                return Err(LabError::value(format!("verify.{key}"), fault));
+            }
+        }
+        if self.trials == Some(0) {
+            return Err(LabError::value("verify.trials", Fault::NotPositive(0.0)));
+        }
+        Ok(self)
+    }
+}

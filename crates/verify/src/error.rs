@@ -1,0 +1,38 @@
+use slideway_baselines::time_optimal::OptimumError;
+use slideway_lab::LabError;
+
+/// Why a scenario cannot be verified.
+#[derive(Debug, thiserror::Error)]
+pub enum VerifyError {
+    /// The scenario cannot be used.
+    #[error(transparent)]
+    Scenario(#[from] LabError),
+    /// The path has no optimum.
+    #[error(transparent)]
+    Optimum(#[from] OptimumError),
+    /// The speed limits exclude standing still.
+    #[error("the joint-speed limits have to lie on both sides of zero")]
+    NoLimits,
+    /// A method that there is not, or that is no form of what is verified.
+    #[error("there is no method `{name}`; there are {}", known.join(", "))]
+    UnknownMethod {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<&'static str>,
+    },
+    /// A trial beyond the campaign's last.
+    #[error("there is no trial {number}: the campaign has {trials}")]
+    NoTrial {
+        /// What was asked for.
+        number: u64,
+        /// How many there are, counted from 0.
+        trials: u64,
+    },
+}
+
+impl VerifyError {
+    pub(crate) fn unknown_method(name: &str, known: Vec<&'static str>) -> Self {
+        Self::UnknownMethod { name: name.to_owned(), known }
+    }
+}

@@ -1,0 +1,146 @@
+//! What is stated of a scenario before any trial, and what a run shows of it.
+
+mod conditioning;
+mod observed;
+mod path_drift;
+mod signals;
+mod speed;
+mod time;
+
+pub use observed::{Observed, Observer, Reading};
+pub use speed::SpeedNumbers;
+
+use serde::{Deserialize, Serialize};
+
+/// How a value has to stand to the one that is needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Relation {
+    /// The value must be at least what is needed.
+    AtLeast,
+    /// The value must be at most what is needed.
+    AtMost,
+}
+
+/// What a claim asks of the scenario.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Hypothesis {
+    /// Name, kebab case, unique in the statement.
+    pub name: String,
+    /// The claim that asks for it.
+    pub claim: String,
+    /// In plain words and symbols.
+    pub text: String,
+    /// What the scenario has.
+    #[serde(with = "crate::number")]
+    pub value: f64,
+    /// How it has to stand to `needed`.
+    pub relation: Relation,
+    /// What is needed.
+    #[serde(with = "crate::number")]
+    pub needed: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// Key of the scenario to change, and the number to change it to, where the hypothesis fails.
+    pub remedy: Option<String>,
+}
+
+impl Hypothesis {
+    /// Whether it holds; NaN does not.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.holds_for(self.value)
+    }
+
+    /// Whether it would hold with another value; NaN does not.
+    #[must_use]
+    pub fn holds_for(&self, value: f64) -> bool {
+        match self.relation {
+            Relation::AtLeast => value >= self.needed,
+            Relation::AtMost => value <= self.needed,
+        }
+    }
+
+    /// Distance from `needed` as a share of it, negative where it fails; the plain distance where `needed` is 0.
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        let distance = match self.relation {
+            Relation::AtLeast => self.value - self.needed,
+            Relation::AtMost => self.needed - self.value,
+        };
+        if self.needed == 0.0 { distance } else { distance / self.needed.abs() }
+    }
+}
+
+/// What follows from hypotheses that hold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Guarantee {
+    /// Name, kebab case, unique in the statement.
+    pub name: String,
+    /// The claim behind it.
+    pub claim: String,
+    /// In plain words and symbols.
+    pub text: String,
+    /// Least value, if it is bounded from below.
+    #[serde(with = "crate::number::option")]
+    pub lower: Option<f64>,
+    /// Greatest value, if it is bounded from above.
+    #[serde(with = "crate::number::option")]
+    pub upper: Option<f64>,
+    /// Unit.
+    pub unit: String,
+    /// Names of the hypotheses it rests on, all of which hold.
+    pub rests_on: Vec<String>,
+    /// The value in the scenario as it is, without disturbances; `None` where it has none.
+    #[serde(with = "crate::number::option")]
+    pub measured: Option<f64>,
+}
+
+impl Guarantee {
+    /// Whether a value is inside; NaN is not.
+    #[must_use]
+    pub fn contains(&self, value: f64) -> bool {
+        self.lower.is_none_or(|lower| value >= lower) && self.upper.is_none_or(|upper| value <= upper)
+    }
+}
+
+/// What is known of a scenario before any trial.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Statement {
+    /// The method it is about.
+    pub method: String,
+    /// What the claims ask for, with what the scenario has.
+    pub hypotheses: Vec<Hypothesis>,
+    /// What follows. A guarantee whose hypotheses fail is not in the list.
+    pub guarantees: Vec<Guarantee>,
+    /// What is not guaranteed, and how the numbers were found, in words.
+    #[serde(default)]
+    pub remarks: Vec<String>,
+}
+
+impl Statement {
+    /// Whether every hypothesis holds.
+    #[must_use]
+    pub fn accepts(&self) -> bool {
+        self.hypotheses.iter().all(Hypothesis::holds)
+    }
+
+    /// The guarantees whose measured value is outside.
+    pub fn violated(&self) -> impl Iterator<Item = &Guarantee> {
+        self.guarantees.iter().filter(|g| g.measured.is_some_and(|value| !g.contains(value)))
+    }
+
+    /// Names of the hypotheses that a run did not keep.
+    #[must_use]
+    pub fn outside(&self, run: &Observed) -> Vec<String> {
+        let broken = |h: &&Hypothesis| run.hypothesis(&h.name).is_some_and(|value| !h.holds_for(value));
+        self.hypotheses.iter().filter(broken).map(|h| h.name.clone()).collect()
+    }
+
+    /// Leaves out the guarantees that rest on a hypothesis that fails.
+    fn keep_what_holds(mut self) -> Self {
+        let failed: Vec<String> = self.hypotheses.iter().filter(|h| !h.holds()).map(|h| h.name.clone()).collect();
+        self.guarantees.retain(|g| g.rests_on.iter().all(|name| !failed.contains(name)));
+        self
+    }
+}

@@ -1,0 +1,92 @@
+//! How fast the limit drifts along a path, beside how fast the filter falls.
+
+use slideway_lab::SampledPath;
+
+/// `ln slowness` over the path parameter, from a sampled path; `slowness = 1 / λ̇*`.
+#[derive(Clone, Debug)]
+pub(crate) struct PathDrift {
+    lambda: Vec<f64>,
+    log: Vec<f64>,
+    /// Whether the joints turn somewhere while the tool stands: no finite drift describes that.
+    breaks: bool,
+}
+
+/// What a path asks of the filter at a pace.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Asked {
+    /// `sup d ln b / dt`, 1/s: how fast the filter has to fall.
+    pub(crate) fall_rate: f64,
+    /// `S`: the most that the drift gains on the filter over any stretch.
+    pub(crate) surplus: f64,
+}
+
+impl PathDrift {
+    pub(crate) fn new(path: &SampledPath) -> Self {
+        let samples = path.pieces.iter().flat_map(|piece| piece.in_order());
+        let (lambda, log) = samples.map(|s| (s.lambda, path.slowness(s).ln())).unzip();
+        Self { lambda, log, breaks: path.pieces.iter().any(|piece| piece.is_self_motion) }
+    }
+
+    /// Number of samples it is known at.
+    pub(crate) fn samples(&self) -> usize {
+        self.lambda.len()
+    }
+
+    /// Whether a stretch of the path cannot be followed at any pace.
+    pub(crate) fn breaks(&self) -> bool {
+        self.breaks
+    }
+
+    /// Largest and smallest slowness, s.
+    pub(crate) fn slowness_range(&self) -> (f64, f64) {
+        let fold = |f: fn(f64, f64) -> f64, start| self.log.iter().copied().fold(start, f).exp();
+        (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY))
+    }
+
+    /// `ln slowness` between samples, linear; the ends outside.
+    pub(crate) fn at(&self, lambda: f64) -> f64 {
+        let after = self.lambda.partition_point(|&x| x <= lambda);
+        match (after.checked_sub(1), self.lambda.get(after)) {
+            (None, _) => self.log.first().copied().unwrap_or(f64::NAN),
+            (Some(last), None) => self.log[last],
+            (Some(before), Some(&next)) => {
+                let share = (lambda - self.lambda[before]) / (next - self.lambda[before]);
+                self.log[before] + share * (self.log[after] - self.log[before])
+            }
+        }
+    }
+
+    /// `∫ |d ln slowness|`: the total variation over the samples.
+    pub(crate) fn variation(&self) -> f64 {
+        self.log.windows(2).map(|w| (w[1] - w[0]).abs()).sum()
+    }
+
+    /// What the path asks at the rate `pace λ̇*`, of a filter that falls by `fall_rate` (1/s).
+    ///
+    /// Between two samples the reference needs at least `Δλ · slowness / pace`; the smaller slowness of the two counts. The surplus is
+    /// the largest sum over neighbouring intervals of drift less fall, by one pass (Kadane).
+    pub(crate) fn asked(&self, pace: f64, fall_rate: f64, period: f64) -> Asked {
+        if self.breaks {
+            return Asked { fall_rate: f64::INFINITY, surplus: f64::INFINITY };
+        }
+        let (mut steepest, mut run, mut surplus) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for (at, log) in self.lambda.windows(2).zip(self.log.windows(2)) {
+            let (rise, time) = (log[1] - log[0], (at[1] - at[0]) * log[0].min(log[1]).exp() / pace);
+            // A corner takes no time; the regulator meets it within one sample.
+            steepest = steepest.max(rise / if at[1] > at[0] { time } else { period });
+            run = (run + rise - fall_rate * time).max(0.0);
+            surplus = surplus.max(run);
+        }
+        Asked { fall_rate: steepest, surplus }
+    }
+
+    /// The largest `|ln slowness|` change within one sampling period at the rate `pace λ̇*`, by its steepest interval.
+    pub(crate) fn sample_drift(&self, pace: f64, period: f64) -> f64 {
+        let steps = self.lambda.windows(2).zip(self.log.windows(2));
+        let steepest = steps.map(|(at, log)| {
+            let (change, time) = ((log[1] - log[0]).abs(), (at[1] - at[0]) * log[0].min(log[1]).exp() / pace);
+            if time > period { change * period / time } else { change }
+        });
+        steepest.fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,191 @@
+//! Runs of a conditioning scenario, and what they are held against.
+
+use super::draw::{Draw, Ranges};
+use super::{Always, Check, Judgement, held_against};
+use crate::error::VerifyError;
+use crate::statement::{Guarantee, Observer, Statement};
+use slideway_conditioner::path::{Reserve, SwitchingLaw};
+use slideway_lab::conditioning::{
+    ConditionedSample, ConditionedTrace, ConditioningProblem, ConditioningScenario, MarginChoice, PathDisturbances,
+    PathMethod, Phase, Shape3, run_conditioner,
+};
+
+const RESERVE: Always = Always {
+    name: "path-reserve",
+    text: "excess of φ, as the conditioner saw it, over its band and over what is left of an earlier excess; none, whatever disturbs it",
+    unit: "m",
+};
+const IMPLICIT: Always = Always {
+    name: "path-implicit",
+    text: "excess of φ, as the conditioner saw it, over zero and over what is left of an earlier excess; none, whatever disturbs it",
+    unit: "m",
+};
+
+/// Constraints that move, under jitter: the conditioner's velocities are per counted second.
+const COUNTED: &str = "period-as-counted";
+/// Constraints that move, seen late.
+const IN_TIME: &str = "constraints-seen-in-time";
+/// A start that the initial error put outside: what keeps a reference inside says nothing of one that begins outside.
+const START: &str = "start-inside";
+/// The appendix's scheme pushes over three samples: what noise does to its band is not derived.
+const EXACT: &str = "distances-as-they-are";
+
+/// A conditioning scenario and one form of the conditioner, made ready to be run again and again.
+#[derive(Clone, Debug)]
+pub(crate) struct PathSubject {
+    problem: ConditioningProblem,
+    observer: Observer,
+    method: PathMethod,
+    ranges: Ranges,
+    moving: bool,
+}
+
+impl PathSubject {
+    /// The subject, and what is stated of it.
+    pub(crate) fn new(
+        scenario: &ConditioningScenario,
+        method: PathMethod,
+        mut statement: Statement,
+    ) -> Result<(Self, Statement), VerifyError> {
+        let problem = scenario.problem()?;
+        let subject = Self {
+            observer: Observer::for_conditioning(scenario)?,
+            ranges: Ranges::of_conditioning(&scenario.verify_options()?, extent(&problem)),
+            // A formula may depend on time by itself.
+            moving: problem.constraints.iter().any(|c| c.is_carried() || matches!(c.shape, Shape3::Formula(_))),
+            problem,
+            method,
+        };
+        let nominal = run_conditioner(&subject.problem, method)?;
+        let found = subject.always(&nominal, &subject.problem.disturbances);
+        let always = [RESERVE, IMPLICIT];
+        let stated = found.iter().filter_map(|c| always.iter().find(|a| a.name == c.guarantee).map(|a| a.guarantee(c)));
+        statement.guarantees.extend(stated.collect::<Vec<_>>());
+        Ok((subject, statement))
+    }
+
+    pub(crate) fn draw(&self, seed: u64, number: u64) -> Draw {
+        Draw::new(seed, number, &self.ranges)
+    }
+
+    /// The run of a trial.
+    pub(crate) fn run(&self, disturbances: &PathDisturbances) -> Result<ConditionedTrace, VerifyError> {
+        disturbances.check()?;
+        let problem = ConditioningProblem { disturbances: *disturbances, ..self.problem.clone() };
+        Ok(run_conditioner(&problem, self.method)?)
+    }
+
+    /// Runs the subject under disturbances and holds the run against a statement.
+    ///
+    /// Noise of at most `n` on `σ` shifts what the conditioner sees of `φ` by at most `n`: where it keeps `φ <= D̄` of what it sees, the
+    /// truth keeps `D̄ + n`. For the explicit form that is so because it pushes wherever the truth exceeds `n`, and below that one sample
+    /// adds at most `D̄`. By the lag `σ` keeps what `φ` does.
+    pub(crate) fn judge(
+        &self,
+        disturbances: &PathDisturbances,
+        statement: &Statement,
+    ) -> Result<Judgement, VerifyError> {
+        let trace = self.run(disturbances)?;
+        let observed = self.observer.conditioning(&trace);
+        let mut outside = statement.outside(&observed);
+        let noise = disturbances.distance_noise;
+        let mut allowed = statement.clone();
+        for guarantee in allowed.guarantees.iter_mut().filter(|g| g.unit == "m") {
+            guarantee.upper.iter_mut().for_each(|upper| *upper += noise);
+            guarantee.lower.iter_mut().for_each(|lower| *lower -= noise);
+        }
+        let inside = trace.samples.first().is_some_and(|s| s.phi.iter().all(|phi| *phi <= 0.0));
+        let measured = |guarantee: &Guarantee| observed.guarantee(&guarantee.name);
+        let leave = |guarantee: &Guarantee| self.loses(guarantee, disturbances, inside);
+        let mut checks = held_against(&allowed, &mut outside, measured, leave);
+        let stated = |check: &Check| statement.guarantees.iter().any(|g| g.name == check.guarantee);
+        checks.extend(self.always(&trace, disturbances).into_iter().filter(stated));
+        Ok(Judgement { outside, checks })
+    }
+
+    fn loses(&self, guarantee: &Guarantee, disturbances: &PathDisturbances, inside: bool) -> Option<&'static str> {
+        if disturbances.initial_error != [0.0; 3] && !inside {
+            return Some(START);
+        }
+        if self.moving && disturbances.delay > 0 {
+            return Some(IN_TIME);
+        }
+        if self.moving && disturbances.jitter > 0.0 {
+            return Some(COUNTED);
+        }
+        let derived = guarantee.unit == "m" && self.method != PathMethod::SlidingModePaper;
+        (disturbances.distance_noise > 0.0 && !derived).then_some(EXACT)
+    }
+
+    /// What holds whatever disturbs the loop: `e[k+1] <= max(0, e[k] - ρ T)` for the excess `e` of what was seen over its band, from the
+    /// first sample on and again after every sample that was held.
+    fn always(&self, trace: &ConditionedTrace, disturbances: &PathDisturbances) -> Vec<Check> {
+        // The band follows from the gradient, which the trace has as it is and not as it was seen.
+        let late = self.moving && disturbances.delay > 0;
+        let (always, rate) = match (self.method, self.problem.reserve) {
+            (PathMethod::SlidingModeImplicit, _) => (IMPLICIT, self.problem.recovery_rate),
+            (PathMethod::SlidingMode, Reserve::On { recovery_rate }) if !late => (RESERVE, recovery_rate),
+            _ => return Vec::new(),
+        };
+        let fall = rate * self.problem.sampling_period;
+        let mut worst = 0.0_f64;
+        for i in 0..self.problem.constraints.len() {
+            let mut beyond = f64::INFINITY;
+            for sample in &trace.samples {
+                if sample.phase == Phase::Held {
+                    beyond = f64::INFINITY;
+                    continue;
+                }
+                let left = (beyond - fall).max(0.0);
+                beyond = sample.seen_phi[i] + self.less_its_band(i, sample);
+                let excess = beyond - left;
+                worst = if excess.is_nan() { f64::INFINITY } else { worst.max(excess) };
+            }
+        }
+        // What the smallest push leaves of a violated limit, 1e-12 of positions and velocities of up to 10, as in the claims.
+        vec![Check::at_most(always.name, worst, 1e-11, always.unit)]
+    }
+
+    /// Margin less band of constraint `i`: zero for the implicit form without a margin.
+    fn less_its_band(&self, i: usize, sample: &ConditionedSample) -> f64 {
+        let implicit = self.method == PathMethod::SlidingModeImplicit;
+        let band = if implicit { 0.0 } else { self.full_push(i, sample) };
+        match &self.problem.margin {
+            MarginChoice::Fixed(margins) => margins[i] - band,
+            // The margin is the band.
+            MarginChoice::Band => 0.0,
+            MarginChoice::None => -band,
+        }
+    }
+
+    /// `G_i = (γ1 + K γ2) ‖u‖ ‖∇σ_i‖`: what the longest push of one sample takes off `φ_i`, with the zero-order hold's
+    /// `γ1 = 1 - e^{-sT} (cos sT + sin sT)`, `γ2 = 2 s e^{-sT} sin sT`, `s = α1 / √2`.
+    fn full_push(&self, i: usize, sample: &ConditionedSample) -> f64 {
+        let (cutoff, period) = (self.problem.push_cutoff, self.problem.sampling_period);
+        let s = cutoff / std::f64::consts::SQRT_2;
+        let (decay, (sine, cosine)) = ((-s * period).exp(), (s * period).sin_cos());
+        let (position, velocity) = (1.0 - decay * (cosine + sine), 2.0 * s * decay * sine);
+        let constraints = self.problem.constraints.iter();
+        let longest = match self.problem.law {
+            SwitchingLaw::Normalised { amplitude } => amplitude,
+            SwitchingLaw::Sum { gain } => {
+                constraints.zip(&sample.gradient).map(|(c, g)| gain * cutoff * cutoff * c.approach * g).sum()
+            }
+        };
+        (position + self.problem.constraints[i].approach * velocity) * longest * sample.gradient[i]
+    }
+}
+
+/// Diagonal of the box around the reference, m.
+fn extent(problem: &ConditioningProblem) -> f64 {
+    let reference = &problem.reference;
+    let at = |i: u32| {
+        let clock = reference.duration() * f64::from(i) / 100.0;
+        reference.at(clock, clock, 1.0).position
+    };
+    let sides = (0..3).map(|axis| {
+        let places = || (0..=100).map(|i| at(i)[axis]);
+        places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+    });
+    sides.map(|side| side * side).sum::<f64>().sqrt()
+}
