@@ -163,9 +163,13 @@ impl SpeedSubject {
 
     /// `fdir m <= 1` and `m >= f b - E` give `fdir f b <= 1 + E`; widest limits, where they vary, only make the left side smaller. Rounding: rate, ratio, direction factor and products, eight in all.
     fn advance(&self, trace: &Trace) -> Check {
-        let target = self.experiment.control().target_rate;
+        let control = self.experiment.control();
+        let (target, period) = (control.target_rate, control.sampling_period);
+        let end = trace.samples.first().map_or(0.0, |s| s.lambda) + self.experiment.path_length();
+        // A step cut short at the path's end is saturated as it is, not as a whole one.
+        let whole = |s: &&Sample| s.factor * target * period < end - s.lambda;
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
-        let worst = trace.following().iter().map(|s| {
+        let worst = trace.following().iter().filter(whole).map(|s| {
             let asked = share(s.path_rate, s.direction_factor * s.factor * target);
             let (feedback, overspeed) = (self.share(&s.split.feedback), self.ratio(&s.split.feedforward));
             let allowed = s.path_rate * overspeed / target / (1.0 + feedback);
