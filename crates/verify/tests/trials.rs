@@ -70,7 +70,7 @@ fn every_guarantee_whose_hypotheses_a_trial_keeps_is_kept() {
         ("puma-helix-on-path", Method::SlidingModeSynchronised),
     ] {
         let campaign = campaign(name, method.name());
-        let found = trials(&campaign, 15);
+        let found = trials(&campaign, 10);
         for trial in &found {
             assert!(trial.kept(), "{name} {method}: {:?} in {trial:?}", trial.violated());
         }
