@@ -5,7 +5,6 @@ mod observed;
 mod path_drift;
 mod signals;
 mod speed;
-mod time;
 
 pub use observed::{Observed, Observer, Reading};
 pub use speed::SpeedNumbers;
