@@ -13,6 +13,12 @@ pub enum VerifyError {
     /// The speed limits exclude standing still.
     #[error("the joint-speed limits have to lie on both sides of zero")]
     NoLimits,
+    /// A method that nothing is claimed about.
+    #[error("nothing is claimed about the method `{method}`: choose one of the conditioner's forms")]
+    NoClaims {
+        /// The method.
+        method: String,
+    },
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {

@@ -3,15 +3,13 @@
 use super::observed::{Observed, Reading};
 use super::path_drift::{Asked, PathDrift};
 use super::signals::{Loop, SETTLED, SpeedMeasures, SpeedSignals};
+use super::entry::{ROOM, at_most, failing, room, shown_down, shown_up, up_to};
 use super::{Guarantee, Hypothesis, Relation, Statement};
 use crate::error::VerifyError;
 use serde::{Deserialize, Serialize};
 use slideway_baselines::time_optimal::time_optimum;
 use slideway_conditioner::bounds::{ProgressSums, Signals, TravelInputs, travel_bracket};
 use slideway_lab::{Experiment, Method, SampledPath, Scenario};
-
-/// Room that every number read off the run without disturbances is given, as a share: what the bounds are stated for.
-pub(crate) const ROOM: f64 = 0.25;
 
 /// Samples between the grid points of the optimum at which the path's drift is read.
 const BETWEEN: usize = 7;
@@ -69,11 +67,6 @@ struct Declared {
     sums: ProgressSums,
     trail: f64,
     contraction: f64,
-}
-
-/// A number with room. Two samples more for times.
-fn room(value: f64) -> f64 {
-    (1.0 + ROOM) * value
 }
 
 fn with_room(signals: &Signals, surplus: f64) -> Signals {
@@ -507,46 +500,4 @@ pub(crate) fn observed(signals: &SpeedSignals, measures: &SpeedMeasures, looked:
     ];
     guarantees.extend(optional.into_iter().filter_map(|(name, value)| Some(Reading { name, value: value? })));
     Observed { hypotheses, guarantees }
-}
-
-fn at_most(name: &str, claim: &str, text: &str, unit: &str) -> Hypothesis {
-    Hypothesis {
-        name: name.into(),
-        claim: claim.into(),
-        text: text.into(),
-        value: f64::NAN,
-        relation: Relation::AtMost,
-        needed: f64::NAN,
-        unit: unit.into(),
-        remedy: None,
-    }
-}
-
-fn up_to(name: &str, claim: &str, text: &str, unit: &str, bound: f64, rests_on: &[&str]) -> Guarantee {
-    Guarantee {
-        name: name.into(),
-        claim: claim.into(),
-        text: text.into(),
-        lower: None,
-        upper: Some(bound),
-        unit: unit.into(),
-        rests_on: rests_on.iter().map(|&name| name.to_owned()).collect(),
-        measured: None,
-    }
-}
-
-fn failing(hypothesis: &Hypothesis, remedy: impl FnOnce() -> String) -> Option<String> {
-    (!hypothesis.holds()).then(remedy)
-}
-
-/// Three digits, rounded up.
-fn shown_up(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 2.0);
-    format!("{:.12e}", (value / unit).ceil() * unit).parse().unwrap_or(value)
-}
-
-/// Three digits, rounded down.
-fn shown_down(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 2.0);
-    format!("{:.12e}", (value / unit).floor() * unit).parse().unwrap_or(value)
 }
