@@ -19,6 +19,20 @@ pub enum VerifyError {
         /// The method.
         method: String,
     },
+    /// A number that has to be positive and finite.
+    #[error("{what} is {value}; it has to be positive and finite")]
+    NotPositive {
+        /// Which.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// A key that the scenario does not have.
+    #[error("the scenario has no `{key}` to change")]
+    NoKey {
+        /// The key.
+        key: String,
+    },
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {

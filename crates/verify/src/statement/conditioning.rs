@@ -23,6 +23,7 @@ pub(crate) struct ConditioningCase {
     method: PathMethod,
     nominal: ContactSignals,
     measured: Measured,
+    completed: bool,
 }
 
 /// What a run measured of the quantities that the guarantees are about, m.
@@ -66,7 +67,17 @@ impl ConditioningCase {
         let trace = run_conditioner(&problem, method)?;
         let nominal = ContactSignals::of(&problem, &trace);
         let measured = measured(&problem, &trace);
-        Ok(Self { problem, method, nominal, measured })
+        Ok(Self { problem, method, nominal, measured, completed: trace.finish_s.is_some() })
+    }
+
+    /// What the run showed.
+    pub(crate) fn nominal(&self) -> &ContactSignals {
+        &self.nominal
+    }
+
+    /// Whether the reference reached its end.
+    pub(crate) fn completed(&self) -> bool {
+        self.completed
     }
 
     pub(crate) fn statement(&self) -> Statement {

@@ -27,6 +27,12 @@ impl PathDrift {
         Self { lambda, log, breaks: path.pieces.iter().any(|piece| piece.is_self_motion) }
     }
 
+    /// Every second sample of it.
+    pub(crate) fn halved(&self) -> Self {
+        let half = |values: &[f64]| values.iter().copied().step_by(2).collect();
+        Self { lambda: half(&self.lambda), log: half(&self.log), breaks: self.breaks }
+    }
+
     /// Number of samples it is known at.
     pub(crate) fn samples(&self) -> usize {
         self.lambda.len()

@@ -104,14 +104,34 @@ impl Declared {
     }
 }
 
-/// The loop a run of this scenario is judged in.
-pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
+/// The loop a run of this scenario is judged in, and its path.
+fn loop_on(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<(Loop, SampledPath), VerifyError> {
     let path = experiment.sample(scenario.grid_points(), BETWEEN)?;
     let limits = Loop::limits(&path).ok_or(VerifyError::NoLimits)?;
-    let drift = PathDrift::new(&path);
-    let found = time_optimum(&experiment.sample(scenario.grid_points(), 0)?.under_speed_limits_alone())?;
-    let optimum = [found.duration_s, found.lower_s, found.upper_s];
-    Ok(Loop { optimum, method, control: experiment.control(), limits, drift, by_joints: follows_joints(scenario) })
+    let found = time_optimum(&nodes_alone(&path))?;
+    let looked = Loop {
+        method,
+        control: experiment.control(),
+        limits,
+        drift: PathDrift::new(&path),
+        optimum: [found.duration_s, found.lower_s, found.upper_s],
+        by_joints: follows_joints(scenario),
+    };
+    Ok((looked, path))
+}
+
+/// The loop alone.
+pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
+    Ok(loop_on(scenario, experiment, method)?.0)
+}
+
+/// The grid that `compare` solves for the optimum on, under the speed limits alone.
+fn nodes_alone(path: &SampledPath) -> SampledPath {
+    let mut path = path.under_speed_limits_alone();
+    for piece in &mut path.pieces {
+        piece.between.iter_mut().for_each(Vec::clear);
+    }
+    path
 }
 
 fn follows_joints(scenario: &Scenario) -> bool {
@@ -121,22 +141,18 @@ fn follows_joints(scenario: &Scenario) -> bool {
 
 impl SpeedCase {
     pub(crate) fn new(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        let looked = observed_loop(scenario, experiment, method)?;
+        let (looked, path) = loop_on(scenario, experiment, method)?;
         let trace = experiment.run(method)?;
         let (nominal, measures) = (looked.signals(&trace), looked.measures(&trace));
-        let grid = experiment.sample(scenario.grid_points(), 0)?.under_speed_limits_alone();
-        let [optimum_s, lower_s, upper_s] = looked.optimum;
-        let closed = experiment.sample(2 * scenario.grid_points(), BETWEEN)?.speed_limited_time();
-        let coarse = PathDrift::new(&experiment.sample(scenario.grid_points() / 2, BETWEEN)?);
+        let ([optimum_s, lower_s, upper_s], closed) = (looked.optimum, path.speed_limited_time());
         let (pace, asked) = pace(&looked, &nominal);
-        let (_, slowest) = looked.drift.slowness_range();
-        let (fastest, _) = looked.drift.slowness_range();
+        let (fastest, slowest) = looked.drift.slowness_range();
         let fall = fall_rate(&looked);
         let numbers = SpeedNumbers {
             optimum_s,
             filter_fall_rate: fall,
             drift_rate: asked.fall_rate,
-            drift_rate_coarse: coarse.asked(pace, fall, looked.control.sampling_period).fall_rate,
+            drift_rate_coarse: looked.drift.halved().asked(pace, fall, looked.control.sampling_period).fall_rate,
             fastest_rate: 1.0 / fastest,
             overspeed: looked.control.target_rate * slowest,
             demand_change: nominal.settled.unwrap_or(nominal.whole).demand_change,
@@ -151,16 +167,12 @@ impl SpeedCase {
             nominal,
             measures,
             optimum: [lower_s.min(closed), upper_s.max(closed)],
-            acceleration: grid_acceleration(experiment, scenario)?,
+            acceleration: path.acceleration.clone(),
             peak_acceleration,
-            varying: limits_vary(&grid),
+            varying: limits_vary(&path),
             looked,
         })
     }
-}
-
-fn grid_acceleration(experiment: &Experiment, scenario: &Scenario) -> Result<Option<Vec<f64>>, VerifyError> {
-    Ok(experiment.sample(scenario.grid_points().min(20), 0)?.acceleration)
 }
 
 /// Whether speed limits hold at some places only, or limit the tool: then the regulator's filter does not see what bounds the rate.
@@ -224,6 +236,11 @@ impl Statement {
 }
 
 impl SpeedCase {
+    /// How much of the chattering's bound a unit of the filter step makes: the overspeed, with its room.
+    pub(crate) fn chattering_per_step(&self) -> f64 {
+        self.declared.whole.overspeed
+    }
+
     pub(crate) fn statement(&self) -> Statement {
         let method = self.looked.method;
         let mut statement = Statement {
