@@ -194,13 +194,7 @@ fn conditioning(request: &CampaignRequest) -> Result<(Subject, Statement), Verif
     let unknown = |name: &str| VerifyError::unknown_method(name, forms().map(PathMethod::name).collect());
     let known = |name: &str| forms().find(|m| m.name() == name).ok_or_else(|| unknown(name));
     let method = request.method.as_deref().map_or(Ok(PathMethod::SlidingMode), known)?;
-    let statement = Statement {
-        method: method.name().to_owned(),
-        hypotheses: Vec::new(),
-        guarantees: Vec::new(),
-        remarks: Vec::new(),
-    };
-    let (subject, statement) = PathSubject::new(&scenario, method, statement)?;
+    let (subject, statement) = PathSubject::new(&scenario, method)?;
     Ok((Subject::Path(Box::new(subject)), statement))
 }
 
