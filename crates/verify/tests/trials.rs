@@ -1,7 +1,7 @@
 //! Trials of a campaign: what they depend on, and what holds in every one of them.
 
 use rayon::prelude::*;
-use slideway_lab::{BUILT_IN, Method};
+use slideway_lab::BUILT_IN;
 use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError, verify_options};
 
 fn request(name: &str, method: &str) -> CampaignRequest {
@@ -64,18 +64,19 @@ fn no_disturbance_breaks_what_holds_whatever_disturbs_the_loop() {
 
 #[test]
 fn every_guarantee_whose_hypotheses_a_trial_keeps_is_kept() {
-    for (name, method) in [
-        ("planar-line", Method::SlidingMode),
-        ("planar-line", Method::SlidingModeImplicit),
-        ("puma-helix-on-path", Method::SlidingModeSynchronised),
+    for (name, method, stated) in [
+        ("planar-line", "sliding-mode", "demand"),
+        ("planar-line", "sliding-mode-implicit", "demand"),
+        ("puma-helix-on-path", "sliding-mode-synchronised", "demand"),
+        ("helix-plane-sphere", "sliding-mode", "penetration"),
     ] {
-        let campaign = campaign(name, method.name());
+        let campaign = campaign(name, method);
         let found = trials(&campaign, 10);
         for trial in &found {
             assert!(trial.kept(), "{name} {method}: {:?} in {trial:?}", trial.violated());
         }
         assert!(found.iter().any(|trial| !trial.outside.is_empty()), "some trial breaks a hypothesis");
-        assert!(found.iter().any(|trial| trial.checks.iter().any(|check| check.guarantee == "demand")));
+        assert!(found.iter().any(|trial| trial.checks.iter().any(|check| check.guarantee == stated)));
     }
 }
 
@@ -94,6 +95,24 @@ fn the_table_of_a_scenario_says_how_large_disturbances_get() {
     }
     // Half the trials have the range times their size: all 40 below half the range with a probability of less than 0.75^40.
     assert!(most > 0.25 && most <= 0.5, "{most}");
+}
+
+/// Noise of up to `n` on `σ` shifts what the conditioner keeps of `φ` by up to `n`: more than the statement says without noise, and no more
+/// than that with it.
+#[test]
+fn noise_shifts_the_band_of_a_conditioner_by_its_size() {
+    let base = request("helix-plane-sphere", "sliding-mode-implicit");
+    let table = "\n[verify]\ninitial_error = 0\ndistance_noise = 1e-3\ndelay = 0\njitter = 0\n";
+    let campaign = Campaign::new(CampaignRequest { text: format!("{}{table}", base.text), ..base }).expect("valid");
+    let stated =
+        campaign.statement().guarantees.iter().find(|g| g.name == "phi").and_then(|g| g.upper).expect("stated");
+    for trial in trials(&campaign, 10) {
+        let noise = trial.disturbances["distance_noise"].as_float().expect("a number");
+        let check = trial.checks.iter().find(|check| check.guarantee == "phi").expect("checked");
+        assert!(check.kept() && check.bound == stated + noise, "{check:?}");
+        // Of thousands of samples at the boundary one has nearly all of the noise.
+        assert!(check.measured > stated + 0.9 * noise, "{check:?} {noise}");
+    }
 }
 
 #[test]
