@@ -46,7 +46,7 @@ fn no_disturbance_breaks_what_holds_whatever_disturbs_the_loop() {
             vec!["command", "factor-range", "chattering-band", "signal-band", "synchronised-advance"],
         ),
         ("planar-line", "sliding-mode-implicit", vec!["command", "factor-range", "chattering-band", "implicit-band"]),
-        ("planar-bend", "acceleration-look-ahead", vec!["command", "factor-range"]),
+        ("planar-bend", "acceleration-look-ahead", vec!["command", "command-acceleration", "factor-range"]),
         ("helix-plane-sphere", "sliding-mode-implicit", vec!["path-implicit"]),
         ("trap-booth-oval", "sliding-mode", vec!["path-reserve"]),
     ] {
