@@ -72,6 +72,14 @@ fn values_that_cannot_be_meant_are_pointed_out_with_file_line_and_remedy() {
         ("grid_points = 1000", "grid_points = 0", "outside"),
         ("tolerance = 0.02", "tolerance = -0.02", "not positive"),
         ("[limits]", "[limit]", "unknown field"),
+        ("# [disturbances]", "[disturbances]\njoint_noise = -1e-3", "outside"),
+        ("# [disturbances]", "[disturbances]\njoint_noise = nan", "not a finite number"),
+        ("# [disturbances]", "[disturbances]\ninitial_error = [0.1, 0.1]", "2 numbers given, 6 needed"),
+        ("# [disturbances]", "[disturbances]\nspeed_error = [0, 0, 0, 0, 0, -1]", "outside"),
+        ("# [disturbances]", "[disturbances]\njitter = 1", "outside"),
+        ("# [disturbances]", "[disturbances]\ndelay = 0.5", "u32"),
+        ("# [disturbances]", "[disturbances]\nnoise = 1", "unknown field"),
+        ("# [verify]", "[verify]\njitter = 2", "outside"),
     ] {
         points_at_the_line(from, to, says);
     }

@@ -43,6 +43,7 @@ pub mod finite_through_singularity;
 pub mod frozen_band;
 pub mod impedance_passivity;
 pub mod implicit_band;
+pub mod implicit_chattering;
 pub mod joint_path;
 pub mod kept;
 pub mod ledger;
@@ -66,10 +67,12 @@ pub mod queue_continuity;
 pub mod random_program;
 pub mod refuted;
 pub mod repair_feasible;
+pub mod signal_band;
 pub mod subject;
 pub mod switching;
 pub mod synchronised_advance;
 pub mod time_bracket;
+pub mod time_with_feedback;
 pub mod transpose_descent;
 pub mod weak_duality;
 pub mod z3;
@@ -84,12 +87,15 @@ pub const CLAIMS: &[Claim] = &[
     drifting_band::CLAIM,
     feedback_band::CLAIM,
     drift_with_feedback::CLAIM,
+    signal_band::CLAIM,
     synchronised_advance::CLAIM,
     time_bracket::CLAIM,
+    time_with_feedback::CLAIM,
     chattering_band::CLAIM,
     delayed_band::CLAIM,
     nan_brakes::CLAIM,
     implicit_band::CLAIM,
+    implicit_chattering::CLAIM,
     command_within_limits::CLAIM,
     path_band::CLAIM,
     path_band_appendix::CLAIM,

@@ -48,6 +48,12 @@ impl LogPath {
         self.places.last().copied().unwrap_or(f64::NAN)
     }
 
+    /// Total variation of `ln g`.
+    #[must_use]
+    pub fn variation(&self) -> f64 {
+        self.logs.windows(2).map(|log| (log[1] - log[0]).abs()).sum()
+    }
+
     /// `∫ g dλ` from the first knot to the last: every piece in closed form, `Δλ g (e^x - 1) / x` with `x` its rise.
     #[must_use]
     pub fn integral(&self) -> f64 {

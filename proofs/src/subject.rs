@@ -116,6 +116,13 @@ impl<const N: usize> Regulator<N> {
         self.shipped.requested_rate(&self.state)
     }
 
+    /// One sample under other limits than those it was made with.
+    pub fn step_under(&mut self, limits: SpeedLimits<N>, desired: &[f64; N]) -> SpeedCommand<N> {
+        self.shipped = self.shipped.with_limits(limits);
+        self.settings.limits = limits;
+        self.step(desired)
+    }
+
     /// One sample.
     pub fn step(&mut self, desired: &[f64; N]) -> SpeedCommand<N> {
         let before = self.state;

@@ -44,6 +44,12 @@ pub(crate) enum Command {
     ///
     /// Exit status: as that of `verify`.
     Merge(MergeArguments),
+    /// Propose sampling period, bandwidth, target rate (and gain or push) for a chattering amplitude and a sampling rate.
+    ///
+    /// The hypotheses of the bounds then hold with a margin of a fifth. Says which trade-off it made, runs the tuned scenario once and
+    /// shows what is guaranteed beside what came out. Exit status: 0 proposed, 1 impossible, with the rate and the amplitude that would
+    /// do, 2 the input is wrong.
+    Tune(TuneArguments),
     /// Run a study of the arm controller: what it found in numbers, a figure and a report.
     ///
     /// Exit status: 0 the study found what it claims, 1 it did not, 2 the input is wrong.
@@ -248,6 +254,25 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Print summary.json instead of the table.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct TuneArguments {
+    /// Name of a built-in scenario, or path of a scenario file (TOML).
+    pub(crate) scenario: String,
+    /// Greatest chattering: change of a desired joint speed over one sample as a share of its limit; for conditioning, change of phi
+    /// over one sample in m.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) chattering: f64,
+    /// Sampling rate, Hz.
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
+    pub(crate) rate: f64,
+    /// Write the scenario with the proposed values to this file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print JSON instead of words.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -2,7 +2,7 @@ use crate::args::{Arguments, Command, Kind};
 use crate::diagnostic::CliError;
 use crate::loaded::{Loaded, unknown};
 use crate::output::{Outcome, print};
-use crate::{attack, claims, compare, merge, reproduce, robot, study, sweep, verify};
+use crate::{attack, claims, compare, merge, reproduce, robot, study, sweep, tune, verify};
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
 use slideway_study::Study;
@@ -17,6 +17,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Merge(arguments) => merge::run(&arguments),
+        Command::Tune(arguments) => tune::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Attack(arguments) => attack::run(&arguments),

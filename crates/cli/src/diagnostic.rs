@@ -10,6 +10,7 @@ use slideway_proofs::kept::KeptError;
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
 use slideway_study::{Study, StudyError};
+use slideway_verify::VerifyError;
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -71,6 +72,9 @@ pub(crate) enum CliError {
     /// No figures.
     #[error("no figures: {0}")]
     Figures(#[from] FigureError),
+    /// A scenario that cannot be tuned.
+    #[error("{name}: {error}")]
+    Tune { error: Box<VerifyError>, name: String },
     /// No sweep.
     #[error(transparent)]
     Sweep(#[from] SweepFailure),
@@ -151,6 +155,10 @@ impl CliError {
             Self::Journal(error) => error.remedy(),
             Self::Verify(failure) => failure.remedy(),
             Self::Threads(error) => error.remedy(),
+            Self::Tune { error, .. } => match error.as_ref() {
+                VerifyError::NoKey { key } => format!("give the scenario a value for `{key}`, for example from `slideway init`"),
+                _ => "choose a sliding mode under speed limits with `compare.method`, for example sliding-mode-synchronised".into(),
+            },
             Self::Figures(_) => "check that the output folder may be written".into(),
         }
     }

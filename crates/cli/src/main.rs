@@ -37,6 +37,7 @@ mod sweep_error;
 mod sweep_journal;
 mod sweep_table;
 mod table;
+mod tune;
 mod verdict;
 mod verify;
 mod verify_error;

@@ -4,10 +4,12 @@
 //! (`g > 1` means regulation is needed); `m = ‖F_N q̇d‖∞` is the largest use of a limit.
 
 mod feedback;
+mod progress;
 mod signal;
 mod time;
 
 pub use feedback::{FeedbackBand, FeedbackLoop, drifting_band_with_feedback};
+pub use progress::{Progress, ProgressForm, ProgressSums, TravelInputs, travel_bracket};
 pub use signal::{SignalBand, Signals, implicit_chattering};
 pub use time::{TimeBracket, time_bracket};
 

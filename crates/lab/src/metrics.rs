@@ -34,7 +34,8 @@ pub struct MethodSummary {
     pub peak_path_error_rad: f64,
     /// Largest `‖F_N q̇d‖∞` while the reference moves.
     pub limit_ratio_peak: f64,
-    /// Largest joint acceleration while the reference moves, as the change of the commanded speed over a sample, rad/s².
+    /// Largest joint acceleration while the reference moves, as the change of the commanded speed over the period that the
+    /// controller counts on, rad/s².
     pub peak_acceleration: Vec<f64>,
     /// Samples of the whole run whose demand was out of the joints' reach at any path rate; `None` for methods without acceleration
     /// limits.

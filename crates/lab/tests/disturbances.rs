@@ -1,6 +1,7 @@
 //! The table `[disturbances]`: without it nothing changes, with it the trace tells the truth and the seed tells the run.
 
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningScenario, PathMethod, run_conditioner};
+use slideway_lab::sweep::{SweepError, SweepPlan, SweepRequest};
 use slideway_lab::{BUILT_IN, Disturbances, Experiment, LabError, Method, MethodSummary, Scenario, Trace};
 
 fn text(name: &str) -> &'static str {
@@ -166,6 +167,22 @@ fn a_conditioned_trace_tells_the_true_distance() {
     }
     // The implicit form keeps what it sees: the truth is broken, and by no more than the noise (rounding 1e-9).
     assert!(beyond > 0.0 && beyond <= 1e-3 + 1e-9, "{beyond}");
+}
+
+#[test]
+fn seeds_of_a_sweep_are_those_of_the_disturbances() {
+    let sweep = |table: &str| {
+        let text = format!("{}\n[disturbances]\n{table}\n", text("planar-bend"));
+        SweepPlan::new(SweepRequest { seeds: Some(2), ..SweepRequest::of("mine", text) })
+    };
+    let plan = sweep("joint_noise = 1e-3").expect("valid");
+    let rows = [0, 1, 0].map(|run| plan.run(run).expect("runs").values);
+    assert!(rows[0] != rows[1] && rows[0] == rows[2]);
+    // Seed 1 is the scenario's own.
+    let own = format!("{}\n[disturbances]\nseed = 1\njoint_noise = 1e-3\n", text("planar-bend"));
+    let own = SweepPlan::new(SweepRequest::of("mine", own)).expect("valid").run(0).expect("runs").values;
+    assert_eq!(own, rows[0]);
+    assert!(matches!(sweep("delay = 2"), Err(SweepError::NothingRandom { .. })));
 }
 
 #[test]

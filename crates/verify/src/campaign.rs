@@ -143,7 +143,8 @@ impl Campaign {
         let CampaignRequest { name, seed, .. } = &self.request;
         let shown: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         let (number, size) = (trial.number, trial.size);
-        let mut heading = format!("# Trial {number} of the campaign around {shown} with seed {seed}, at size {size}.\n");
+        let mut heading =
+            format!("# Trial {number} of the campaign around {shown} with seed {seed}, at size {size}.\n");
         if names_files(&Value::Table(document.clone())) {
             heading += "# It names files relative to its own folder: keep it beside the scenario it was made from.\n";
         }
@@ -193,21 +194,120 @@ fn conditioning(request: &CampaignRequest) -> Result<(Subject, Statement), Verif
     let unknown = |name: &str| VerifyError::unknown_method(name, forms().map(PathMethod::name).collect());
     let known = |name: &str| forms().find(|m| m.name() == name).ok_or_else(|| unknown(name));
     let method = request.method.as_deref().map_or(Ok(PathMethod::SlidingMode), known)?;
-    let statement = Statement {
-        method: method.name().to_owned(),
-        hypotheses: Vec::new(),
-        guarantees: Vec::new(),
-        remarks: Vec::new(),
-    };
-    let (subject, statement) = PathSubject::new(&scenario, method, statement)?;
+    let (subject, statement) = PathSubject::new(&scenario, method)?;
     Ok((Subject::Path(Box::new(subject)), statement))
 }
 
 /// Whether a scenario names files.
 fn names_files(value: &Value) -> bool {
     match value {
-        Value::Table(table) => table.iter().any(|(key, value)| matches!(key.as_str(), "csv" | "urdf") || names_files(value)),
+        Value::Table(table) => {
+            table.iter().any(|(key, value)| matches!(key.as_str(), "csv" | "urdf") || names_files(value))
+        }
         Value::Array(list) => list.iter().any(names_files),
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slideway_lab::conditioning::run_conditioner;
+    use slideway_lab::{BUILT_IN, Experiment, MethodSummary};
+
+    fn campaign(name: &str, method: &str) -> Campaign {
+        let text = BUILT_IN.iter().find(|b| b.name == name).expect("built in").text.to_owned();
+        let request =
+            CampaignRequest { name: name.into(), text, file: None, method: Some(method.into()), seed: 3, trials: 1000 };
+        Campaign::new(request).expect("valid")
+    }
+
+    /// The upper bound of a guarantee put where a little more than the run without disturbances reaches it.
+    fn broken(mut campaign: Campaign, name: &str) -> (Campaign, f64) {
+        let guarantee = campaign.statement.guarantees.iter_mut().find(|g| g.name == name).expect("stated");
+        let bound = 1.001 * guarantee.measured.expect("measured");
+        guarantee.upper = Some(bound);
+        guarantee.rests_on.clear();
+        (campaign, bound)
+    }
+
+    fn first_failing(campaign: &Campaign) -> Trial {
+        (0..200).map(|n| campaign.trial(n).expect("runs")).find(|t| !t.kept()).expect("one fails")
+    }
+
+    #[test]
+    fn a_broken_guarantee_is_found_made_small_and_reproduced_by_its_scenario() {
+        let (campaign, bound) = broken(campaign("planar-line", "sliding-mode-synchronised"), "chattering");
+        let failing = first_failing(&campaign);
+        assert_eq!(failing.violated(), ["chattering"]);
+        let smallest = campaign.smallest(&failing).expect("runs");
+        assert_eq!(smallest.violated(), ["chattering"]);
+        assert!(smallest.size < failing.size && smallest.size > 0.0, "{} {}", smallest.size, failing.size);
+        assert!(smallest.disturbances.keys().all(|key| failing.disturbances.contains_key(key)));
+        assert!(smallest.disturbances.iter().filter(|(key, _)| *key != "seed").count() >= 1);
+        assert_eq!(campaign.smallest(&failing).expect("runs"), smallest);
+
+        let text = campaign.scenario_of(&smallest).expect("writes");
+        let scenario = Scenario::parse("failing", &text).expect("parses");
+        let experiment = Experiment::new(&scenario).expect("valid");
+        let judged = experiment.judged_method(&scenario).expect("a method");
+        let trace = experiment.run(judged).expect("runs");
+        let found = MethodSummary::new(&trace).chattering.expect("chatters").measured;
+        assert!(found > bound && smallest.checks.iter().any(|check| check.measured == found), "{found} {bound}");
+    }
+
+    #[test]
+    fn a_guarantee_that_fails_without_disturbances_is_smallest_without_them() {
+        let (mut campaign, bound) = broken(campaign("planar-line", "sliding-mode"), "demand");
+        let guarantee = campaign.statement.guarantees.iter_mut().find(|g| g.name == "demand").expect("stated");
+        guarantee.upper = Some(0.5 * bound);
+        let smallest = campaign.smallest(&campaign.trial(0).expect("runs")).expect("runs");
+        assert_eq!(smallest.size, 0.0);
+        assert!(smallest.disturbances.is_empty() && !smallest.kept());
+    }
+
+    #[test]
+    fn what_cannot_be_measured_fails_and_still_fits_into_json() {
+        for value in [f64::NAN, f64::INFINITY] {
+            let check = crate::Check::at_most("g", value, 1.0, "1");
+            assert!(!check.kept());
+            let text = serde_json::to_string(&check).expect("writes");
+            assert_eq!(serde_json::from_str::<crate::Check>(&text).expect("reads"), check);
+        }
+    }
+
+    /// `{:?}` writes the shortest decimal that reads back to the same bits.
+    #[test]
+    fn the_scenario_of_a_trial_runs_the_very_trace_that_was_judged() {
+        for (name, method) in [("planar-line", "sliding-mode"), ("panda-line", "sliding-mode-implicit")] {
+            let campaign = campaign(name, method);
+            let Subject::Speed(subject) = &campaign.subject else { panic!("about speed") };
+            for number in 0..4 {
+                let judged = subject.run(&campaign.draw(number).for_speed()).expect("runs");
+                let text = campaign.scenario_of(&campaign.trial(number).expect("runs")).expect("writes");
+                let scenario = Scenario::parse("again", &text).expect("parses");
+                let again = Experiment::new(&scenario).expect("valid").run(subject.method()).expect("runs");
+                assert_eq!(format!("{judged:?}"), format!("{again:?}"), "{text}");
+            }
+        }
+        let campaign = campaign("helix-plane-sphere", "sliding-mode-implicit");
+        let Subject::Path(subject) = &campaign.subject else { panic!("about conditioning") };
+        for number in 0..4 {
+            let judged = subject.run(&campaign.draw(number).for_conditioning()).expect("runs");
+            let text = campaign.scenario_of(&campaign.trial(number).expect("runs")).expect("writes");
+            let problem = ConditioningScenario::parse("again", &text).expect("parses").problem().expect("valid");
+            let again = run_conditioner(&problem, PathMethod::SlidingModeImplicit).expect("runs");
+            assert_eq!(format!("{judged:?}"), format!("{again:?}"), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_scenario_that_names_files_says_where_to_keep_its_trials() {
+        let campaign = campaign("planar-line", "sliding-mode");
+        let trial = campaign.trial(0).expect("runs");
+        let text = campaign.scenario_of(&trial).expect("writes");
+        assert!(text.starts_with("# Trial 0 of the campaign around planar-line with seed 3, at size "), "{text}");
+        let named: Table = "path.position.spline.csv = 'points.csv'".parse().expect("TOML");
+        assert!(campaign.heading(&trial, &named).contains("keep it beside") && !text.contains("keep it beside"));
     }
 }

@@ -21,6 +21,26 @@ pub enum VerifyError {
         /// What there is.
         known: Vec<&'static str>,
     },
+    /// A method that nothing is claimed about.
+    #[error("nothing is claimed about the method `{method}`: choose one of the conditioner's forms")]
+    NoClaims {
+        /// The method.
+        method: String,
+    },
+    /// A number that has to be positive and finite.
+    #[error("{what} is {value}; it has to be positive and finite")]
+    NotPositive {
+        /// Which.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// A key that the scenario does not have.
+    #[error("the scenario has no `{key}` to change")]
+    NoKey {
+        /// The key.
+        key: String,
+    },
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {

@@ -9,8 +9,10 @@ mod error;
 pub mod number;
 mod statement;
 mod trial;
+mod tune;
 
 pub use campaign::{Campaign, CampaignRequest, verify_options};
 pub use error::VerifyError;
 pub use statement::{Guarantee, Hypothesis, Observed, Observer, Reading, Relation, SpeedNumbers, Statement};
 pub use trial::{Check, Trial};
+pub use tune::{Change, Impossible, MARGIN, Prediction, TuneOutcome, TuneRequest, Tuned, tune};

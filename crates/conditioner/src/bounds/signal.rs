@@ -65,18 +65,19 @@ impl Signals {
     ///
     /// ```text
     /// E + Z e^S                                                by length
-    /// max(1 - a + sup c + a g (released), sup c / a (braked), E, start)     by vector
+    /// max(1 - a + sup c + a g (released), sup c / a (braked), start)     by vector
     /// ```
     ///
-    /// Hypotheses: none but that the suprema are those of the loop, and that from the first sample to the first released one the
-    /// factor was 0 or fell. The first form does not mind the direction of `B`, the second not the size of `A`. Infinite for NaN.
+    /// and never less than 1. Hypotheses: none but that the suprema are those of the loop, and that up to the first released sample
+    /// the factor was 0 or fell. The first form does not mind the direction of `B`, the second not the size of `A`. A last step that is
+    /// cut short, `q̇d = A + s f B` with `s < 1`, lies between `A` and the whole one. Infinite for NaN.
     #[must_use]
     pub fn band(&self, filter_step: f64) -> f64 {
         let by_length = self.feedback + self.feedforward_band(filter_step);
         let released = 1.0 - filter_step + self.released_change + filter_step * self.overspeed;
-        let braked = larger(self.braked_change / filter_step, larger(self.feedback, self.start));
+        let braked = larger(self.braked_change / filter_step, self.start);
         let by_vector = larger(released, braked) * (1.0 + 1e-12);
-        if by_vector < by_length { by_vector } else { by_length }
+        larger(if by_vector < by_length { by_vector } else { by_length }, 1.0)
     }
 
     /// Largest change `|q̇d' - q̇d|` of the demand over one sample, in limits: `a g + X` (claim `chattering-band`, whose `|u - f|` is at
@@ -88,7 +89,7 @@ impl Signals {
 }
 
 /// The larger of two numbers; infinite if one is NaN, so that it never passes for a small one.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
@@ -184,7 +185,7 @@ fn weighted<const N: usize>(v: &[f64; N], share: f64, w: &[f64; N]) -> [f64; N] 
 }
 
 /// `|v|`: the largest share of a joint's smaller limit. Infinite for NaN.
-fn narrow<const N: usize>(limits: &SpeedLimits<N>, v: &[f64; N]) -> f64 {
+pub(super) fn narrow<const N: usize>(limits: &SpeedLimits<N>, v: &[f64; N]) -> f64 {
     let ends = limits.lower().iter().zip(limits.upper());
     v.iter().zip(ends).fold(0.0, |most, (v, (lo, up))| larger(most, fabs(*v) / up.min(-lo)))
 }

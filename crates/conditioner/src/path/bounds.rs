@@ -3,10 +3,21 @@
 //! Notation: `G` is the full push of one sample in terms of `φ`, `D` its drift over one sample without a push, `D̄` the
 //! largest.
 
+use super::filters::{Discretisation, PushFilter};
+
 /// The paper's chattering band, `[G12] eq 22`: `T α1² K ‖u_SM‖ ‖∇σ‖`. An estimate of the width, not a bound on `φ`.
 #[must_use]
 pub fn chattering_estimate(period: f64, cutoff: f64, approach: f64, push: f64, gradient: f64) -> f64 {
     period * cutoff * cutoff * approach * libm::fabs(push) * libm::fabs(gradient)
+}
+
+/// How far `φ` falls over one sample per unit of push along a unit gradient, zero-order hold: `γ1 + K γ2`.
+///
+/// `γ1` and `γ2` are what a unit push held for the sampling period adds to position and velocity: `G = (γ1 + K γ2) ‖u_SM‖ ‖∇σ‖`.
+#[must_use]
+pub fn push_per_sample(period: f64, cutoff: f64, approach: f64) -> f64 {
+    let [position, velocity] = PushFilter::new(cutoff, period, Discretisation::ZeroOrderHold).reach();
+    position + approach * velocity
 }
 
 /// Lower and upper end of a band.

@@ -106,7 +106,7 @@ impl SweepError {
             Self::NotATable { at, .. } => format!("set `{at}` as a whole, for example {at}='{{ name = 1 }}'"),
             Self::NoElement { length: 0, .. } => "the list is empty; set it as a whole".into(),
             Self::NoElement { length, .. } => format!("count the elements from 0 to {}", length - 1),
-            Self::Overlap { .. } => "keep one of them; --seeds sets `trap.seed`".into(),
+            Self::Overlap { .. } => "keep one of them; --seeds sets `trap.seed` and `disturbances.seed`".into(),
             Self::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
             Self::NothingRandom { .. } => "leave out --seeds, or sweep over parameters with --grid KEY=V1,V2".into(),
             Self::Runs { .. } => "ask for fewer seeds or a coarser grid, and give every grid key a value".into(),

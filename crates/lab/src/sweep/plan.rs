@@ -8,8 +8,8 @@ use toml::Value;
 /// Most runs of a sweep: their rows are kept in memory for the summary.
 pub const MAX_RUNS: u64 = 10_000_000;
 
-/// The key of the seed of a conditioning scenario.
-const SEED_KEY: &str = "trap.seed";
+/// The keys that seeds set: of the random walk, and of the disturbances.
+const SEED_KEYS: [&str; 2] = ["trap.seed", "disturbances.seed"];
 
 /// What a sweep is asked to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct SweepRequest {
     pub file: Option<PathBuf>,
     /// The method; without one the explicit sliding mode.
     pub method: Option<String>,
-    /// Seeds `1..=N` of the random walk; without them the scenario's own.
+    /// Seeds `1..=N` of the random walk and the disturbances; without them the scenario's own.
     pub seeds: Option<u64>,
     /// Values replaced in every run.
     pub settings: Vec<Setting>,
@@ -144,10 +144,11 @@ impl SweepPlan {
 fn check_overlaps(request: &SweepRequest) -> Result<(), SweepError> {
     let mut keys: Vec<&str> = request.settings.iter().map(|s| s.key.as_str()).collect();
     keys.extend(request.axes.iter().map(|a| a.key.as_str()));
-    keys.extend(request.seeds.map(|_| SEED_KEY));
+    keys.extend(request.seeds.map(|_| SEED_KEYS).into_iter().flatten());
     for (i, first) in keys.iter().enumerate() {
         // `trap.seed` inside a `trap` that is set as a whole is what seeds are for.
-        let clash = |second: &&&str| overlap(first, second) && !(**second == SEED_KEY && first.len() < SEED_KEY.len());
+        let clash =
+            |second: &&&str| overlap(first, second) && !(SEED_KEYS.contains(second) && first.len() < second.len());
         if let Some(second) = keys[i + 1..].iter().find(clash) {
             return Err(SweepError::Overlap { first: (*first).into(), second: (*second).into() });
         }

@@ -1,13 +1,17 @@
 //! What is stated of a scenario before any trial, and what a run shows of it.
 
 mod conditioning;
+mod contact;
+mod entry;
 mod observed;
 mod path_drift;
 mod signals;
 mod speed;
-mod time;
 
+pub(crate) use conditioning::ConditioningCase;
+pub(crate) use entry::{room, shown_down, shown_up};
 pub use observed::{Observed, Observer, Reading};
+pub(crate) use speed::SpeedCase;
 pub use speed::SpeedNumbers;
 
 use serde::{Deserialize, Serialize};
@@ -140,7 +144,10 @@ impl Statement {
     /// Leaves out the guarantees that rest on a hypothesis that fails.
     fn keep_what_holds(mut self) -> Self {
         let failed: Vec<String> = self.hypotheses.iter().filter(|h| !h.holds()).map(|h| h.name.clone()).collect();
-        self.guarantees.retain(|g| g.rests_on.iter().all(|name| !failed.contains(name)));
+        let finite = |g: &Guarantee| g.upper.is_none_or(f64::is_finite);
+        self.guarantees.retain(|g| finite(g) && g.rests_on.iter().all(|name| !failed.contains(name)));
+        // What is needed of a signal without bound says nothing.
+        self.hypotheses.retain(|h| h.needed.is_finite() || !h.holds());
         self
     }
 }

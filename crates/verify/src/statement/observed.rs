@@ -1,7 +1,7 @@
 use super::signals::Loop;
 use super::{conditioning, speed};
 use crate::error::VerifyError;
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod};
+use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, ConditioningScenario};
 use slideway_lab::{Experiment, Method, Scenario, Trace};
 
 /// One number that a run showed.
@@ -85,6 +85,3 @@ impl Observer {
         }
     }
 }
-
-/// The explicit form by its name.
-pub(crate) const CONDITIONED: PathMethod = PathMethod::SlidingMode;

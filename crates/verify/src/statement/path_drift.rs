@@ -27,6 +27,12 @@ impl PathDrift {
         Self { lambda, log, breaks: path.pieces.iter().any(|piece| piece.is_self_motion) }
     }
 
+    /// Every second sample of it.
+    pub(crate) fn halved(&self) -> Self {
+        let half = |values: &[f64]| values.iter().copied().step_by(2).collect();
+        Self { lambda: half(&self.lambda), log: half(&self.log), breaks: self.breaks }
+    }
+
     /// Number of samples it is known at.
     pub(crate) fn samples(&self) -> usize {
         self.lambda.len()
@@ -80,13 +86,14 @@ impl PathDrift {
         Asked { fall_rate: steepest, surplus }
     }
 
-    /// The largest `|ln slowness|` change within one sampling period at the rate `pace λ̇*`, by its steepest interval.
+    /// Bound on the change of `ln slowness` within one sampling period at the rate `pace λ̇*`: the steepest interval's rate for the whole
+    /// period, corners in addition, and never more than the path's whole variation.
     pub(crate) fn sample_drift(&self, pace: f64, period: f64) -> f64 {
-        let steps = self.lambda.windows(2).zip(self.log.windows(2));
-        let steepest = steps.map(|(at, log)| {
+        let (mut steepest, mut corners) = (0.0_f64, 0.0);
+        for (at, log) in self.lambda.windows(2).zip(self.log.windows(2)) {
             let (change, time) = ((log[1] - log[0]).abs(), (at[1] - at[0]) * log[0].min(log[1]).exp() / pace);
-            if time > period { change * period / time } else { change }
-        });
-        steepest.fold(0.0, f64::max)
+            if at[1] > at[0] { steepest = steepest.max(change / time) } else { corners += change }
+        }
+        (steepest * period + corners).min(self.variation())
     }
 }

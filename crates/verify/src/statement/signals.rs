@@ -1,7 +1,7 @@
 //! What one run of a speed law showed: the signals that the claims ask about, and the quantities that they bound.
 
 use super::path_drift::PathDrift;
-use slideway_conditioner::bounds::{SignalBand, Signals};
+use slideway_conditioner::bounds::{Progress, ProgressForm, ProgressSums, SignalBand, Signals};
 use slideway_conditioner::SpeedLimits;
 use slideway_lab::{ControlSettings, MAX_JOINTS, Method, MethodSummary, Sample, SampledPath, Trace};
 
@@ -17,12 +17,8 @@ pub(crate) struct SpeedSignals {
     pub(crate) settled: Option<Signals>,
     /// `E` while the reference moves.
     pub(crate) feedback: f64,
-    /// `∫ E dt` while the reference moves, s.
-    pub(crate) feedback_s: f64,
-    /// `∫ (1 + E) |1 - b_path / b| dt`: how far the demand's feedforward is from the path's, s.
-    pub(crate) shift_s: f64,
-    /// Time that filter, feedback and drift can have held the reference back, s.
-    pub(crate) hold_back_s: f64,
+    /// What the travel time depends on, summed over the samples in which the reference moves.
+    pub(crate) sums: ProgressSums,
     /// Distance from the path's end once the reference is there, in tolerances of arrival.
     pub(crate) trail: f64,
     /// Largest ratio of that distance to the one a sample before, while the robot settles.
@@ -55,6 +51,8 @@ pub(crate) struct Loop {
     pub(crate) control: ControlSettings,
     pub(crate) limits: SpeedLimits<MAX_JOINTS>,
     pub(crate) drift: PathDrift,
+    /// Certified optimum under the speed limits alone, s: the profile's time, and its bounds.
+    pub(crate) optimum: [f64; 3],
     /// Whether arrival is judged by the joints.
     pub(crate) by_joints: bool,
 }
@@ -89,15 +87,12 @@ impl Loop {
             band.signals()
         };
         let feedback = |s: &Sample| self.narrow(&s.split.feedback);
-        let period = self.control.sampling_period;
         let (trail, contraction) = self.settling(trace);
         SpeedSignals {
             whole: band(trace.following()),
             settled: settled.map(|from| band(&moving[from..])),
             feedback: moving.iter().map(feedback).fold(0.0, f64::max),
-            feedback_s: period * moving.iter().map(feedback).sum::<f64>(),
-            shift_s: period * moving.iter().map(|s| (1.0 + feedback(s)) * self.shift(s)).sum::<f64>(),
-            hold_back_s: period * self.held_back(moving),
+            sums: self.progress(moving),
             trail,
             contraction,
         }
@@ -132,31 +127,15 @@ impl Loop {
         moving[from..].iter().position(|s| implicit || s.switch >= 1.0).map(|k| from + k)
     }
 
-    /// `|1 - b_path / b|`.
-    fn shift(&self, sample: &Sample) -> f64 {
-        let seen = self.limits.ratio(&sample.split.feedforward);
-        let on_path = self.drift.at(sample.lambda).exp() * self.control.target_rate;
-        if seen == on_path { 0.0 } else { (1.0 - on_path / seen).abs() }
-    }
-
-    /// Sum over the samples of `max(y, E)⁺`, where `z = f b >= 1 - y` (claim `time-with-feedback`).
-    fn held_back(&self, moving: &[Sample]) -> f64 {
-        let a = self.step();
-        let length = |s: &Sample| self.limits.ratio(&s.split.feedforward);
-        let mut y = moving.first().map_or(1.0, |s| 1.0 - s.factor * length(s));
-        let mut sum = moving.first().map_or(0.0, |s| y.max(self.narrow(&s.split.feedback)).max(0.0));
-        for pair in moving.windows(2) {
-            let (before, now) = (length(&pair[0]), length(&pair[1]));
-            let kept = if before == now { 1.0 } else { now / before };
-            let risen = 1.0 - (1.0 - a) * (1.0 - y).max(0.0) * kept - a * now;
-            let (old, new) = (self.narrow(&pair[0].split.feedback), self.narrow(&pair[1].split.feedback));
-            y = match self.method {
-                Method::SlidingModeImplicit => risen.max(new),
-                _ => risen.max(1.0 - (1.0 - a) * (1.0 - old) * kept),
-            };
-            sum += y.max(new).max(0.0);
+    fn progress(&self, moving: &[Sample]) -> ProgressSums {
+        let implicit = self.method == Method::SlidingModeImplicit;
+        let form = if implicit { ProgressForm::Implicit } else { ProgressForm::Explicit };
+        let mut progress = Progress::new(form, self.step());
+        for s in moving {
+            let on_path = self.drift.at(s.lambda).exp() * self.control.target_rate;
+            progress.update(&self.limits, &s.split, s.factor, on_path);
         }
-        sum
+        progress.sums()
     }
 
     /// Distance at the first sample after the reference's end, and the largest ratio of two after one another.

@@ -3,16 +3,13 @@
 use super::observed::{Observed, Reading};
 use super::path_drift::{Asked, PathDrift};
 use super::signals::{Loop, SETTLED, SpeedMeasures, SpeedSignals};
-use super::time::{TimeInputs, bracket};
+use super::entry::{ROOM, at_most, failing, room, shown_down, shown_up, up_to};
 use super::{Guarantee, Hypothesis, Relation, Statement};
 use crate::error::VerifyError;
 use serde::{Deserialize, Serialize};
 use slideway_baselines::time_optimal::time_optimum;
-use slideway_conditioner::bounds::Signals;
-use slideway_lab::{Experiment, Method, SampledPath, Scenario, Trace};
-
-/// Room that every number read off the run without disturbances is given, as a share: what the bounds are stated for.
-pub(crate) const ROOM: f64 = 0.25;
+use slideway_conditioner::bounds::{ProgressSums, Signals, TravelInputs, travel_bracket};
+use slideway_lab::{Experiment, Method, SampledPath, Scenario};
 
 /// Samples between the grid points of the optimum at which the path's drift is read.
 const BETWEEN: usize = 7;
@@ -38,6 +35,15 @@ pub struct SpeedNumbers {
     pub path_samples: usize,
 }
 
+/// The hypotheses about sums over the motion: name, text, and which sum.
+type Sum = fn(&ProgressSums) -> f64;
+const TIMES: [(&str, &str, Sum); 4] = [
+    ("feedback-time", "integral of E over the motion", |s| s.feedback),
+    ("overrun-time", "integral of (m - 1)+ over the motion, m the demand's use of a limit", |s| s.overrun),
+    ("shift-time", "integral of (1 + E + (m - 1)+)|1 - b_path/b|: feedforward as seen beside the path's", |s| s.shift),
+    ("hold-back-time", "time that filter, feedback and drift can hold the reference back", |s| s.held_back),
+];
+
 /// Everything a statement is assembled from.
 pub(crate) struct SpeedCase {
     pub(crate) looked: Loop,
@@ -58,16 +64,9 @@ struct Declared {
     whole: Signals,
     settled: Option<Signals>,
     feedback: f64,
-    feedback_s: f64,
-    shift_s: f64,
-    hold_back_s: f64,
+    sums: ProgressSums,
     trail: f64,
     contraction: f64,
-}
-
-/// A number with room. Two samples more for times.
-fn room(value: f64) -> f64 {
-    (1.0 + ROOM) * value
 }
 
 fn with_room(signals: &Signals, surplus: f64) -> Signals {
@@ -92,21 +91,47 @@ impl Declared {
             whole: with_room(&nominal.whole, surplus),
             settled: nominal.settled.as_ref().map(|s| with_room(s, surplus)),
             feedback: room(nominal.feedback),
-            feedback_s: room(nominal.feedback_s),
-            shift_s: room(nominal.shift_s),
-            hold_back_s: room(nominal.hold_back_s) + 2.0 * period,
+            sums: ProgressSums {
+                feedback: room(nominal.sums.feedback),
+                overrun: room(nominal.sums.overrun),
+                shift: room(nominal.sums.shift),
+                held_back: room(nominal.sums.held_back) + 2.0,
+                pace: room(nominal.sums.pace),
+            },
             trail: room(nominal.trail).max(1.0),
             contraction: (1.0 - 0.5 * gain_step).max(0.5 * (1.0 + nominal.contraction)),
         }
     }
 }
 
-/// The loop a run of this scenario is judged in.
-pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
+/// The loop a run of this scenario is judged in, and its path.
+fn loop_on(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<(Loop, SampledPath), VerifyError> {
     let path = experiment.sample(scenario.grid_points(), BETWEEN)?;
     let limits = Loop::limits(&path).ok_or(VerifyError::NoLimits)?;
-    let drift = PathDrift::new(&path);
-    Ok(Loop { method, control: experiment.control(), limits, drift, by_joints: follows_joints(scenario) })
+    let found = time_optimum(&nodes_alone(&path))?;
+    let looked = Loop {
+        method,
+        control: experiment.control(),
+        limits,
+        drift: PathDrift::new(&path),
+        optimum: [found.duration_s, found.lower_s, found.upper_s],
+        by_joints: follows_joints(scenario),
+    };
+    Ok((looked, path))
+}
+
+/// The loop alone.
+pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
+    Ok(loop_on(scenario, experiment, method)?.0)
+}
+
+/// The grid that `compare` solves for the optimum on, under the speed limits alone.
+fn nodes_alone(path: &SampledPath) -> SampledPath {
+    let mut path = path.under_speed_limits_alone();
+    for piece in &mut path.pieces {
+        piece.between.iter_mut().for_each(Vec::clear);
+    }
+    path
 }
 
 fn follows_joints(scenario: &Scenario) -> bool {
@@ -116,22 +141,18 @@ fn follows_joints(scenario: &Scenario) -> bool {
 
 impl SpeedCase {
     pub(crate) fn new(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        let looked = observed_loop(scenario, experiment, method)?;
+        let (looked, path) = loop_on(scenario, experiment, method)?;
         let trace = experiment.run(method)?;
         let (nominal, measures) = (looked.signals(&trace), looked.measures(&trace));
-        let grid = experiment.sample(scenario.grid_points(), 0)?.under_speed_limits_alone();
-        let optimum = time_optimum(&grid)?;
-        let closed = experiment.sample(2 * scenario.grid_points(), BETWEEN)?.speed_limited_time();
-        let coarse = PathDrift::new(&experiment.sample(scenario.grid_points() / 2, BETWEEN)?);
+        let ([optimum_s, lower_s, upper_s], closed) = (looked.optimum, path.speed_limited_time());
         let (pace, asked) = pace(&looked, &nominal);
-        let (_, slowest) = looked.drift.slowness_range();
-        let (fastest, _) = looked.drift.slowness_range();
+        let (fastest, slowest) = looked.drift.slowness_range();
         let fall = fall_rate(&looked);
         let numbers = SpeedNumbers {
-            optimum_s: optimum.duration_s,
+            optimum_s,
             filter_fall_rate: fall,
             drift_rate: asked.fall_rate,
-            drift_rate_coarse: coarse.asked(pace, fall, looked.control.sampling_period).fall_rate,
+            drift_rate_coarse: looked.drift.halved().asked(pace, fall, looked.control.sampling_period).fall_rate,
             fastest_rate: 1.0 / fastest,
             overspeed: looked.control.target_rate * slowest,
             demand_change: nominal.settled.unwrap_or(nominal.whole).demand_change,
@@ -145,17 +166,13 @@ impl SpeedCase {
             pace,
             nominal,
             measures,
-            optimum: [optimum.lower_s.min(closed), optimum.upper_s.max(closed)],
-            acceleration: grid_acceleration(experiment, scenario)?,
+            optimum: [lower_s.min(closed), upper_s.max(closed)],
+            acceleration: path.acceleration.clone(),
             peak_acceleration,
-            varying: limits_vary(&grid),
+            varying: limits_vary(&path),
             looked,
         })
     }
-}
-
-fn grid_acceleration(experiment: &Experiment, scenario: &Scenario) -> Result<Option<Vec<f64>>, VerifyError> {
-    Ok(experiment.sample(scenario.grid_points().min(20), 0)?.acceleration)
 }
 
 /// Whether speed limits hold at some places only, or limit the tool: then the regulator's filter does not see what bounds the rate.
@@ -219,6 +236,11 @@ impl Statement {
 }
 
 impl SpeedCase {
+    /// How much of the chattering's bound a unit of the filter step makes: the overspeed, with its room.
+    pub(crate) fn chattering_per_step(&self) -> f64 {
+        self.declared.whole.overspeed
+    }
+
     pub(crate) fn statement(&self) -> Statement {
         let method = self.looked.method;
         let mut statement = Statement {
@@ -318,10 +340,13 @@ impl SpeedCase {
             add("signal-chattering-settled", "chattering-band", text, "limits", self.chattering(seen), self.chattering(stated));
         }
         let time = "time-with-feedback";
-        add("feedback", time, "E, the feedback's largest use of a limit while the reference moves", "limits", nominal.feedback, declared.feedback);
-        add("feedback-time", time, "integral of E over the motion", "s", nominal.feedback_s, declared.feedback_s);
-        add("shift-time", time, "integral of (1 + E)|1 - b_path/b|: feedforward as seen beside the path's", "s", nominal.shift_s, declared.shift_s);
-        add("hold-back-time", time, "time that filter, feedback and drift can hold the reference back", "s", nominal.hold_back_s, declared.hold_back_s);
+        add("feedback", "signal-band", "E, the feedback's largest use of a limit while the reference moves", "limits", nominal.feedback, declared.feedback);
+        let text = "largest path rate that the signals allow, over the path's own limit";
+        add("pace", time, text, "1", nominal.sums.pace, declared.sums.pace);
+        let period = self.looked.control.sampling_period;
+        for (name, text, sum) in TIMES {
+            add(name, time, text, "s", period * sum(&nominal.sums), period * sum(&declared.sums));
+        }
         add("trail", time, "distance from the path's end when the reference is there, in tolerances of arrival", "1", nominal.trail, declared.trail);
         add("settling", time, "largest ratio of that distance to the one a sample before", "1", nominal.contraction, declared.contraction);
         list
@@ -357,7 +382,12 @@ impl SpeedCase {
             let rounding = implicit_rounding(&self.looked);
             list.push(self.one("demand", "implicit-band", text, 1.0 + rounding, &["feedback-inside"], Some(self.measures.demand)));
         } else {
-            list.push(self.one("demand", "signal-band", text, declared.whole.band(a), &["signal-band"], Some(self.measures.demand)));
+            // A last step cut short lies between A and the whole one: once settled A is inside the band anyway.
+            let cut = declared.settled.map_or(declared.feedback, |s| s.feedback);
+            let bound = declared.whole.band(a).max(cut);
+            let mut rests = vec!["signal-band"];
+            rests.push(if declared.settled.is_some() { "signal-band-settled" } else { "feedback" });
+            list.push(self.one("demand", "signal-band", text, bound, &rests, Some(self.measures.demand)));
             if let Some(stated) = &declared.settled {
                 let bound = stated.band(a);
                 list.push(self.one("demand-settled", "signal-band", settled, bound, &["signal-band-settled"], self.measures.demand_settled));
@@ -379,22 +409,18 @@ impl SpeedCase {
 
     fn times(&self) -> Vec<Guarantee> {
         let declared = &self.declared;
-        let advance = if self.looked.method == Method::SlidingMode { declared.whole.band(self.looked.step()) } else { 1.0 };
-        let period = self.looked.control.sampling_period;
-        let inputs = TimeInputs {
+        let (period, drift) = (self.looked.control.sampling_period, &self.looked.drift);
+        let published = self.looked.method == Method::SlidingMode;
+        let inputs = TravelInputs {
+            sums: ProgressSums { overrun: if published { declared.sums.overrun } else { 0.0 }, ..declared.sums },
             optimum: self.optimum,
             period,
-            advance,
-            feedback: declared.feedback,
-            feedback_s: declared.feedback_s,
-            shift_s: declared.shift_s,
-            hold_back_s: declared.hold_back_s,
+            variation: drift.variation(),
+            sample_drift: drift.sample_drift(declared.sums.pace, period),
         };
-        let Some([lower, upper]) = bracket(&self.looked.drift, &inputs) else { return Vec::new() };
-        let mut rests = vec!["target-rate", "feedback", "feedback-time", "shift-time", "hold-back-time"];
-        if self.looked.method == Method::SlidingMode {
-            rests.push("signal-band");
-        }
+        let Some([lower, upper]) = travel_bracket(&inputs).filter(|_| !drift.breaks()) else { return Vec::new() };
+        let mut rests = vec!["target-rate", "pace"];
+        rests.extend(TIMES.iter().map(|(name, ..)| *name).filter(|name| published || *name != "overrun-time"));
         let time = |name: &str, text: &str, unit: &str, ends: [f64; 2], rests: &[&str], measured: Option<f64>| Guarantee {
             lower: Some(ends[0]),
             measured,
@@ -467,12 +493,12 @@ pub(crate) fn observed(signals: &SpeedSignals, measures: &SpeedMeasures, looked:
         Reading { name: "signal-band", value: signals.whole.band(a) },
         Reading { name: "signal-chattering", value: chattering(looked, &signals.whole) },
         Reading { name: "feedback", value: signals.feedback },
-        Reading { name: "feedback-time", value: signals.feedback_s },
-        Reading { name: "shift-time", value: signals.shift_s },
-        Reading { name: "hold-back-time", value: signals.hold_back_s },
+        Reading { name: "pace", value: signals.sums.pace },
         Reading { name: "trail", value: signals.trail },
         Reading { name: "settling", value: signals.contraction },
     ];
+    let period = looked.control.sampling_period;
+    hypotheses.extend(TIMES.iter().map(|(name, _, sum)| Reading { name, value: period * sum(&signals.sums) }));
     // A loop that never settles has no settled band.
     let settled = |of: fn(&Signals, &Loop) -> f64| signals.settled.as_ref().map_or(f64::INFINITY, |s| of(s, looked));
     hypotheses.push(Reading { name: "signal-band-settled", value: settled(|s, l| s.band(l.step())) });
@@ -482,6 +508,7 @@ pub(crate) fn observed(signals: &SpeedSignals, measures: &SpeedMeasures, looked:
         Reading { name: "demand", value: measures.demand },
         Reading { name: "reference-time", value: measures.reference_s.unwrap_or(f64::INFINITY) },
         Reading { name: "travel-time", value: measures.travel_s.unwrap_or(f64::INFINITY) },
+        Reading { name: "time-over-optimum", value: measures.travel_s.map_or(f64::INFINITY, |t| t / looked.optimum[0]) },
     ];
     let optional = [
         ("demand-settled", measures.demand_settled),
@@ -490,46 +517,4 @@ pub(crate) fn observed(signals: &SpeedSignals, measures: &SpeedMeasures, looked:
     ];
     guarantees.extend(optional.into_iter().filter_map(|(name, value)| Some(Reading { name, value: value? })));
     Observed { hypotheses, guarantees }
-}
-
-fn at_most(name: &str, claim: &str, text: &str, unit: &str) -> Hypothesis {
-    Hypothesis {
-        name: name.into(),
-        claim: claim.into(),
-        text: text.into(),
-        value: f64::NAN,
-        relation: Relation::AtMost,
-        needed: f64::NAN,
-        unit: unit.into(),
-        remedy: None,
-    }
-}
-
-fn up_to(name: &str, claim: &str, text: &str, unit: &str, bound: f64, rests_on: &[&str]) -> Guarantee {
-    Guarantee {
-        name: name.into(),
-        claim: claim.into(),
-        text: text.into(),
-        lower: None,
-        upper: Some(bound),
-        unit: unit.into(),
-        rests_on: rests_on.iter().map(|&name| name.to_owned()).collect(),
-        measured: None,
-    }
-}
-
-fn failing(hypothesis: &Hypothesis, remedy: impl FnOnce() -> String) -> Option<String> {
-    (!hypothesis.holds()).then(remedy)
-}
-
-/// Three digits, rounded up.
-fn shown_up(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 2.0);
-    format!("{:.12e}", (value / unit).ceil() * unit).parse().unwrap_or(value)
-}
-
-/// Three digits, rounded down.
-fn shown_down(value: f64) -> f64 {
-    let unit = 10f64.powf(value.log10().floor() - 2.0);
-    format!("{:.12e}", (value / unit).floor() * unit).parse().unwrap_or(value)
 }

@@ -44,10 +44,17 @@ impl Check {
         Self::new(guarantee, measured, bound, measured - bound, unit)
     }
 
-    /// A value held against a guarantee; the nearer bound counts. `None` for a guarantee without bounds.
+    /// A value held against a guarantee; the nearer bound counts. `None` for a guarantee without bounds: an infinite one is none.
     pub(crate) fn of(guarantee: &Guarantee, measured: f64) -> Option<Self> {
-        let upper = guarantee.upper.map(|bound| Self::at_most(&guarantee.name, measured, bound, &guarantee.unit));
-        let lower = guarantee.lower.map(|bound| Self::at_least(&guarantee.name, measured, bound, &guarantee.unit));
+        let finite = |bound: &f64| bound.is_finite();
+        let upper = guarantee
+            .upper
+            .filter(finite)
+            .map(|bound| Self::at_most(&guarantee.name, measured, bound, &guarantee.unit));
+        let lower = guarantee
+            .lower
+            .filter(finite)
+            .map(|bound| Self::at_least(&guarantee.name, measured, bound, &guarantee.unit));
         match (lower, upper) {
             (Some(lower), Some(upper)) => Some(if lower.margin < upper.margin { lower } else { upper }),
             (lower, upper) => lower.or(upper),
@@ -59,7 +66,13 @@ impl Check {
         let margin = if bound == 0.0 { distance } else { distance / bound.abs() };
         let number = |value: f64| if value.is_nan() { f64::MAX } else { value.clamp(-f64::MAX, f64::MAX) };
         let margin = if margin.is_nan() { -f64::MAX } else { number(margin) };
-        Self { guarantee: guarantee.into(), measured: number(measured), bound: number(bound), margin, unit: unit.into() }
+        Self {
+            guarantee: guarantee.into(),
+            measured: number(measured),
+            bound: number(bound),
+            margin,
+            unit: unit.into(),
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
 use crate::statement::{Guarantee, Observer, Statement};
-use slideway_conditioner::path::{Reserve, SwitchingLaw};
+use slideway_conditioner::path::{Reserve, SwitchingLaw, bounds};
 use slideway_lab::conditioning::{
     ConditionedSample, ConditionedTrace, ConditioningProblem, ConditioningScenario, MarginChoice, PathDisturbances,
     PathMethod, Phase, Shape3, run_conditioner,
@@ -21,13 +21,15 @@ const IMPLICIT: Always = Always {
     unit: "m",
 };
 
-/// Constraints that move, under jitter: the conditioner's velocities are per counted second.
+/// Under jitter the conditioner's velocities are per counted second: `σ` is no lag of the `φ` they give, and constraints that move do so
+/// by another clock.
 const COUNTED: &str = "period-as-counted";
 /// Constraints that move, seen late.
 const IN_TIME: &str = "constraints-seen-in-time";
-/// A start that the initial error put outside: what keeps a reference inside says nothing of one that begins outside.
+/// A start that the initial error put outside, or above the bound itself.
 const START: &str = "start-inside";
-/// The appendix's scheme pushes over three samples: what noise does to its band is not derived.
+/// What noise does to a bound is derived for the bands of `φ` and `σ`, and for the change of `φ` without a reserve, which noise does not
+/// enter; not where the reserve answers to noise.
 const EXACT: &str = "distances-as-they-are";
 
 /// A conditioning scenario and one form of the conditioner, made ready to be run again and again.
@@ -42,11 +44,8 @@ pub(crate) struct PathSubject {
 
 impl PathSubject {
     /// The subject, and what is stated of it.
-    pub(crate) fn new(
-        scenario: &ConditioningScenario,
-        method: PathMethod,
-        mut statement: Statement,
-    ) -> Result<(Self, Statement), VerifyError> {
+    pub(crate) fn new(scenario: &ConditioningScenario, method: PathMethod) -> Result<(Self, Statement), VerifyError> {
+        let mut statement = Statement::for_conditioning(scenario, Some(method))?;
         let problem = scenario.problem()?;
         let subject = Self {
             observer: Observer::for_conditioning(scenario)?,
@@ -90,31 +89,40 @@ impl PathSubject {
         let mut outside = statement.outside(&observed);
         let noise = disturbances.distance_noise;
         let mut allowed = statement.clone();
-        for guarantee in allowed.guarantees.iter_mut().filter(|g| g.unit == "m") {
+        for guarantee in allowed.guarantees.iter_mut().filter(|g| is_band(g)) {
             guarantee.upper.iter_mut().for_each(|upper| *upper += noise);
-            guarantee.lower.iter_mut().for_each(|lower| *lower -= noise);
         }
-        let inside = trace.samples.first().is_some_and(|s| s.phi.iter().all(|phi| *phi <= 0.0));
+        let start = self.start(&trace);
         let measured = |guarantee: &Guarantee| observed.guarantee(&guarantee.name);
-        let leave = |guarantee: &Guarantee| self.loses(guarantee, disturbances, inside);
+        let leave = |guarantee: &Guarantee| self.loses(guarantee, disturbances, start);
         let mut checks = held_against(&allowed, &mut outside, measured, leave);
         let stated = |check: &Check| statement.guarantees.iter().any(|g| g.name == check.guarantee);
         checks.extend(self.always(&trace, disturbances).into_iter().filter(stated));
         Ok(Judgement { outside, checks })
     }
 
-    fn loses(&self, guarantee: &Guarantee, disturbances: &PathDisturbances, inside: bool) -> Option<&'static str> {
-        if disturbances.initial_error != [0.0; 3] && !inside {
+    /// What a guarantee takes for granted and disturbances take away. `start` is the largest of `σ` and `φ` at the first sample.
+    fn loses(&self, guarantee: &Guarantee, disturbances: &PathDisturbances, start: f64) -> Option<&'static str> {
+        let moved = disturbances.initial_error != [0.0; 3];
+        let above = is_band(guarantee) && guarantee.upper.is_some_and(|upper| start > upper);
+        if moved && (start > 0.0 || above) {
             return Some(START);
         }
         if self.moving && disturbances.delay > 0 {
             return Some(IN_TIME);
         }
-        if self.moving && disturbances.jitter > 0.0 {
+        if disturbances.jitter > 0.0 && (self.moving || guarantee.claim == "path-lag") {
             return Some(COUNTED);
         }
-        let derived = guarantee.unit == "m" && self.method != PathMethod::SlidingModePaper;
+        let reserve = self.problem.reserve != Reserve::Off;
+        let derived = is_band(guarantee) || (guarantee.unit == "m" && !reserve);
         (disturbances.distance_noise > 0.0 && !derived).then_some(EXACT)
+    }
+
+    fn start(&self, trace: &ConditionedTrace) -> f64 {
+        let Some(first) = trace.samples.first() else { return f64::INFINITY };
+        let both = (0..self.problem.constraints.len()).map(|i| first.sigma[i].max(first.phi[i]));
+        both.fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
     }
 
     /// What holds whatever disturbs the loop: `e[k+1] <= max(0, e[k] - ρ T)` for the excess `e` of what was seen over its band, from the
@@ -158,13 +166,9 @@ impl PathSubject {
         }
     }
 
-    /// `G_i = (γ1 + K γ2) ‖u‖ ‖∇σ_i‖`: what the longest push of one sample takes off `φ_i`, with the zero-order hold's
-    /// `γ1 = 1 - e^{-sT} (cos sT + sin sT)`, `γ2 = 2 s e^{-sT} sin sT`, `s = α1 / √2`.
+    /// `G_i`: what the longest push of one sample takes off `φ_i`.
     fn full_push(&self, i: usize, sample: &ConditionedSample) -> f64 {
-        let (cutoff, period) = (self.problem.push_cutoff, self.problem.sampling_period);
-        let s = cutoff / std::f64::consts::SQRT_2;
-        let (decay, (sine, cosine)) = ((-s * period).exp(), (s * period).sin_cos());
-        let (position, velocity) = (1.0 - decay * (cosine + sine), 2.0 * s * decay * sine);
+        let cutoff = self.problem.push_cutoff;
         let constraints = self.problem.constraints.iter();
         let longest = match self.problem.law {
             SwitchingLaw::Normalised { amplitude } => amplitude,
@@ -172,8 +176,14 @@ impl PathSubject {
                 constraints.zip(&sample.gradient).map(|(c, g)| gain * cutoff * cutoff * c.approach * g).sum()
             }
         };
-        (position + self.problem.constraints[i].approach * velocity) * longest * sample.gradient[i]
+        let approach = self.problem.constraints[i].approach;
+        bounds::push_per_sample(self.problem.sampling_period, cutoff, approach) * longest * sample.gradient[i]
     }
+}
+
+/// Bounds on `φ` and `σ` themselves, which noise shifts by its size.
+fn is_band(guarantee: &Guarantee) -> bool {
+    matches!(guarantee.name.as_str(), "phi" | "penetration")
 }
 
 /// Diagonal of the box around the reference, m.

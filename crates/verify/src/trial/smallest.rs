@@ -20,14 +20,14 @@ pub(crate) fn smallest(
         let found = judge(draw)?;
         Ok(violated.iter().all(|name| found.checks.iter().any(|check| check.guarantee == *name && !check.kept())))
     };
-    let mut least = reduced(draw, &fails)?;
+    let mut least = reduced(draw, fails)?;
     for kind in draw.kinds() {
         let without = least.with_only(|other| other != kind);
         if fails(&without)? {
             least = without;
         }
     }
-    reduced(&least, &fails)
+    reduced(&least, fails)
 }
 
 fn reduced(draw: &Draw, fails: impl Fn(&Draw) -> Result<bool, VerifyError>) -> Result<Draw, VerifyError> {

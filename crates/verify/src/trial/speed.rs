@@ -4,7 +4,7 @@ use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
 use crate::statement::{Guarantee, Observed, Observer, Statement};
-use slideway_lab::{Disturbances, Experiment, LimitKind, Method, Sample, Scenario, Trace};
+use slideway_lab::{Disturbances, Experiment, LimitKind, Method, MethodSummary, Sample, Scenario, Trace};
 
 const COMMAND: Always = Always {
     name: "command-within-limits",
@@ -48,6 +48,8 @@ pub(crate) struct SpeedSubject {
     ranges: Ranges,
     /// Lower and upper limit of each joint, rad/s (m/s); the widest where limits vary along the path.
     limits: Vec<[f64; 2]>,
+    /// Acceleration limit of each joint, rad/s² (m/s²), where there are any.
+    acceleration: Option<Vec<f64>>,
     /// Whether a path of the joints is followed.
     by_joints: bool,
     /// Whether limits at single places or of the tool hold the reference back, of which the law's own bounds know nothing.
@@ -68,6 +70,7 @@ impl SpeedSubject {
             method,
             ranges: Ranges::of_speed(&scenario.verify_options()?, experiment.joints()),
             limits: path.speed_lower.iter().zip(&path.speed_upper).map(|(lo, up)| [*lo, *up]).collect(),
+            acceleration: path.acceleration,
             by_joints: follows_joints(scenario),
             varying: experiment.limit_use(&nominal).iter().any(|used| places.contains(&used.kind)),
             experiment,
@@ -105,6 +108,7 @@ impl SpeedSubject {
         let command = self.experiment.command_use(&trace)?;
         let measured = |guarantee: &Guarantee| match guarantee.name.as_str() {
             "command" => Some(command),
+            "command-acceleration" => self.acceleration_use(&trace),
             name => observed.guarantee(name),
         };
         let leave = |guarantee: &Guarantee| self.loses(guarantee, disturbances);
@@ -112,6 +116,13 @@ impl SpeedSubject {
         let stated = |check: &Check| statement.guarantees.iter().any(|g| g.name == check.guarantee);
         checks.extend(always.into_iter().filter(stated));
         Ok(Judgement { outside, checks })
+    }
+
+    /// Largest use of an acceleration limit by the change of a command over a counted period.
+    fn acceleration_use(&self, trace: &Trace) -> Option<f64> {
+        let peaks = MethodSummary::new(trace).peak_acceleration;
+        let uses = peaks.iter().zip(self.acceleration.as_ref()?).map(|(peak, limit)| nan_is_infinite(peak / limit));
+        Some(uses.fold(0.0, f64::max))
     }
 
     /// What holds whatever disturbs the loop.
@@ -163,9 +174,13 @@ impl SpeedSubject {
 
     /// `fdir m <= 1` and `m >= f b - E` give `fdir f b <= 1 + E`; widest limits, where they vary, only make the left side smaller. Rounding: rate, ratio, direction factor and products, eight in all.
     fn advance(&self, trace: &Trace) -> Check {
-        let target = self.experiment.control().target_rate;
+        let control = self.experiment.control();
+        let (target, period) = (control.target_rate, control.sampling_period);
+        let end = trace.samples.first().map_or(0.0, |s| s.lambda) + self.experiment.path_length();
+        // A step cut short at the path's end is saturated as it is, not as a whole one.
+        let whole = |s: &&Sample| s.factor * target * period < end - s.lambda;
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
-        let worst = trace.following().iter().map(|s| {
+        let worst = trace.following().iter().filter(whole).map(|s| {
             let asked = share(s.path_rate, s.direction_factor * s.factor * target);
             let (feedback, overspeed) = (self.share(&s.split.feedback), self.ratio(&s.split.feedforward));
             let allowed = s.path_rate * overspeed / target / (1.0 + feedback);

@@ -1,0 +1,97 @@
+use crate::args::TuneArguments;
+use crate::diagnostic::CliError;
+use crate::loaded::{scenario_error, source};
+use crate::output::{Outcome, print};
+use crate::table::short;
+use comfy_table::{CellAlignment, Table, presets};
+use slideway_verify::{Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
+    for (option, value) in [("chattering", arguments.chattering), ("rate", arguments.rate)] {
+        if !(value > 0.0 && value.is_finite()) {
+            let remedy = "give a positive number: an amplitude, for example 0.05, and a rate in Hz, for example 1000";
+            return Err(CliError::Option { option, value, remedy });
+        }
+    }
+    let (name, text) = source(&arguments.scenario)?;
+    let file = Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists());
+    let request = TuneRequest { name, text, file, chattering: arguments.chattering, rate: arguments.rate };
+    let outcome = tune(&request).map_err(|error| in_file(error, arguments, &request))?;
+    if let (TuneOutcome::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
+        let write = |source| CliError::Write { path: out.clone(), source };
+        fs::write(out, &tuned.text).map_err(write)?;
+    }
+    print(&shown(&outcome, arguments, &request)?);
+    Ok(match outcome {
+        TuneOutcome::Tuned(_) => Outcome::Holds,
+        TuneOutcome::Impossible(_) => Outcome::Fails,
+    })
+}
+
+/// An error of the scenario points into its text.
+fn in_file(error: VerifyError, arguments: &TuneArguments, request: &TuneRequest) -> CliError {
+    match error {
+        VerifyError::Scenario(error) => scenario_error(error, &arguments.scenario, Some(request.text.clone())),
+        VerifyError::Optimum(error) => error.into(),
+        error => CliError::Tune { error: Box::new(error), name: arguments.scenario.clone() },
+    }
+}
+
+fn shown(outcome: &TuneOutcome, arguments: &TuneArguments, request: &TuneRequest) -> Result<String, CliError> {
+    if arguments.json {
+        let text = serde_json::to_string_pretty(outcome);
+        return Ok(text.map_err(|error| CliError::Write { path: "tune.json".into(), source: error.into() })? + "\n");
+    }
+    Ok(match outcome {
+        TuneOutcome::Tuned(tuned) => tuned_in_words(tuned, arguments.out.as_deref()),
+        TuneOutcome::Impossible(impossible) => impossible_in_words(impossible, request),
+    })
+}
+
+fn tuned_in_words(tuned: &Tuned, out: Option<&Path>) -> String {
+    let mut text = String::new();
+    if tuned.changes.is_empty() {
+        text += "Nothing needs to change.\n";
+    }
+    for change in &tuned.changes {
+        text += &format!("{} = {} {} (was {})\n", change.key, change.after, change.unit, change.before);
+    }
+    text += "\n";
+    for sentence in &tuned.trade_off {
+        text += &format!("{sentence}\n");
+    }
+    text += &format!("\n{}\n", predictions(&tuned.predictions));
+    match out {
+        Some(out) => text += &format!("wrote {0}; `slideway verify {0}` tries it under disturbances\n", out.display()),
+        None => text += "--out FILE writes the scenario with these values.\n",
+    }
+    text
+}
+
+/// What is guaranteed beside what the run gave.
+fn predictions(predictions: &[Prediction]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header(["guaranteed of the tuned scenario", "at least", "at most", "in the run", ""]);
+    for p in predictions {
+        let number = |value: Option<f64>| value.map_or("-".into(), short);
+        let name = format!("{}: {}", p.name, p.text);
+        table.add_row([name, number(p.lower), number(p.upper), number(p.measured), p.unit.clone()]);
+    }
+    for column in table.column_iter_mut().skip(1).take(3) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+fn impossible_in_words(impossible: &Impossible, request: &TuneRequest) -> String {
+    let mut text = format!("No: {}.\n", impossible.reason);
+    if let Some(rate) = impossible.rate {
+        text += &format!("A rate of {rate} Hz would do for a chattering of {}.\n", request.chattering);
+    }
+    if let Some(chattering) = impossible.chattering {
+        text += &format!("At {} Hz a chattering of at least {chattering} has to be allowed.\n", request.rate);
+    }
+    text
+}

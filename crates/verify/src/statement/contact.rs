@@ -1,0 +1,127 @@
+//! What one run of the path conditioner showed beside its constraints.
+
+use slideway_conditioner::path::{Constraint, Motion, bounds};
+use slideway_lab::conditioning::{ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, Phase};
+
+/// Suprema over the samples and constraints of a run. Lengths in m, of `φ` unless said otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ContactSignals {
+    /// Largest drift over push at acting samples: above 1 the push does not win.
+    pub(crate) push_share: f64,
+    /// Largest rise from a sample at which the constraint does not act, near it.
+    pub(crate) rise: f64,
+    /// Largest fall by drift alone at acting samples.
+    pub(crate) fall: f64,
+    /// Largest full push of a sample.
+    pub(crate) push: f64,
+    /// Largest rise between two samples.
+    pub(crate) bulge: f64,
+    /// Smallest margin that is added to `φ`.
+    pub(crate) margin: f64,
+    /// Share of samples held.
+    pub(crate) held: f64,
+    /// Largest `σ` and `φ` at the first sample.
+    pub(crate) start: f64,
+}
+
+/// One constraint over one sample.
+struct Step {
+    /// Drift: the change of `φ` without the push.
+    drift: f64,
+    /// The push on `φ`, positive inwards.
+    push: f64,
+    /// The longest push in this law, whatever its direction.
+    full: f64,
+    acts: bool,
+    change: f64,
+    phi: f64,
+    /// Neither this sample nor the next one was answered by anything but push and drift.
+    plain: bool,
+}
+
+impl ContactSignals {
+    #[allow(clippy::cast_precision_loss)]
+    pub(crate) fn of(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Self {
+        let mut signals = Self {
+            push_share: 0.0,
+            rise: 0.0,
+            fall: 0.0,
+            push: 0.0,
+            bulge: 0.0,
+            margin: margin(problem),
+            held: trace.samples.iter().filter(|s| s.phase == Phase::Held).count() as f64 / trace.samples.len().max(1) as f64,
+            start: trace.samples.first().map_or(0.0, |s| start(s, problem.constraints.len())),
+        };
+        let mut narrowest = f64::INFINITY;
+        for index in 0..problem.constraints.len() {
+            let steps: Vec<Step> = trace.samples.windows(2).map(|pair| step(problem, trace.method, index, pair)).collect();
+            signals.take(problem, index, &steps);
+            narrowest = steps.iter().filter(|s| s.acts).map(|s| s.full).fold(narrowest, f64::min);
+        }
+        if problem.margin == MarginChoice::Band && trace.method == PathMethod::SlidingMode && narrowest.is_finite() {
+            signals.margin = narrowest;
+        }
+        signals
+    }
+
+    fn take(&mut self, problem: &ConditioningProblem, index: usize, steps: &[Step]) {
+        let reach = steps.iter().filter(|s| s.acts).map(|s| s.full).fold(0.0, f64::max);
+        self.push = larger(self.push, reach);
+        for s in steps.iter().filter(|s| s.plain) {
+            if s.acts {
+                self.push_share = larger(self.push_share, s.drift / s.push);
+                self.fall = larger(self.fall, -s.drift);
+            } else if s.phi >= -2.0 * reach {
+                self.rise = larger(self.rise, s.change);
+            }
+        }
+        // What the push itself bends within a sample: the filter's own curvature, √2 α, and the approach's, 1 / K.
+        let (period, approach) = (problem.sampling_period, problem.constraints[index].approach);
+        let bent = reach * period * (std::f64::consts::SQRT_2 * problem.push_cutoff + 1.0 / approach);
+        for pair in steps.windows(2).filter(|pair| pair[0].plain && pair[1].plain && pair[0].phi >= -2.0 * reach) {
+            let second = (pair[1].drift - pair[0].drift).abs();
+            self.bulge = larger(self.bulge, bounds::between_samples(1.0, second + bent));
+        }
+    }
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+fn start(sample: &ConditionedSample, constraints: usize) -> f64 {
+    let both = (0..constraints).map(|i| sample.sigma[i].max(sample.phi[i]));
+    both.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The margin that holds everywhere; that of the band is known at contacts only.
+fn margin(problem: &ConditioningProblem) -> f64 {
+    match &problem.margin {
+        MarginChoice::Fixed(margins) => margins.iter().copied().fold(f64::INFINITY, f64::min),
+        MarginChoice::None | MarginChoice::Band => 0.0,
+    }
+}
+
+fn step(problem: &ConditioningProblem, method: PathMethod, index: usize, pair: &[ConditionedSample]) -> Step {
+    let [now, next] = [&pair[0], &pair[1]];
+    let constraint = &problem.constraints[index];
+    let still = Motion { time: now.t, position: now.position, velocity: [0.0; 3] };
+    let gradient = constraint.sample(&still).gradient;
+    let per_push = bounds::push_per_sample(problem.sampling_period, problem.push_cutoff, constraint.approach);
+    // The implicit form records the push of the interval that ends at the sample.
+    let taken = if method == PathMethod::SlidingModeImplicit { &next.push } else { &now.push };
+    let along: f64 = gradient.iter().zip(taken).map(|(g, u)| g * u).sum();
+    let length = |v: &[f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let change = next.phi[index] - now.phi[index];
+    let push = -per_push * along;
+    let answered = |s: &ConditionedSample| matches!(s.phase, Phase::Held | Phase::Reserve);
+    Step {
+        drift: change + push,
+        push,
+        full: per_push * length(&gradient) * length(taken),
+        acts: now.share[index] > 0.0,
+        change,
+        phi: now.phi[index],
+        plain: !answered(now) && !answered(next),
+    }
+}

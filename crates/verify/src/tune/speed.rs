@@ -1,0 +1,216 @@
+use super::document::{Setting, replaced};
+use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use crate::error::VerifyError;
+use crate::statement::{SpeedCase, Statement, shown_down, shown_up};
+use slideway_lab::{Experiment, Method, Scenario};
+
+/// Filter steps beyond this gain nothing: what the switching costs, about `a / 2` of the speed, is more than what the approach saves.
+const LARGEST_STEP: f64 = 0.2;
+
+/// How often the filter is adapted to what the run shows of the demand's changes.
+const ROUNDS: usize = 6;
+
+/// Sampling rates beyond this are not proposed, Hz.
+const FASTEST_RATE: f64 = 1e6;
+
+/// One trial of parameters.
+struct Candidate {
+    text: String,
+    changes: Vec<super::Change>,
+    case: SpeedCase,
+    statement: Statement,
+    step: f64,
+}
+
+pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
+    let scenario = scenario(request, &request.text)?;
+    let experiment = Experiment::new(&scenario)?;
+    let method = experiment.judged_method(&scenario)?;
+    if !method.bounds_chattering() {
+        return Err(VerifyError::NoClaims { method: method.name().to_owned() });
+    }
+    let tuner = Tuner { request, method };
+    let fastest = tuner.start(&scenario, &experiment)?;
+    match tuner.at(request.rate, &fastest)? {
+        Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate)))),
+        Found::Singular => Ok(TuneOutcome::Impossible(Impossible {
+            reason: "the limit falls without bound where the path meets a singularity: no filter is fast enough. Lead the path around it, or \
+                     judge `sliding-mode-implicit`, which needs none"
+                .into(),
+            rate: None,
+            chattering: None,
+        })),
+        Found::TooCoarse { amplitude } => Ok(TuneOutcome::Impossible(Impossible {
+            reason: format!(
+                "at {} Hz the filter that is fast enough for the path, and the path's own changes from sample to sample, chatter more",
+                request.rate
+            ),
+            rate: tuner.enough(amplitude, &fastest)?,
+            chattering: amplitude.is_finite().then(|| shown_up(amplitude)),
+        })),
+    }
+}
+
+fn scenario(request: &TuneRequest, text: &str) -> Result<Scenario, VerifyError> {
+    let scenario = Scenario::parse(&request.name, text)?;
+    Ok(match &request.file {
+        Some(file) => scenario.in_folder_of(file),
+        None => scenario,
+    })
+}
+
+/// What the path asks whatever the parameters.
+struct Start {
+    /// Target rate with the margin, 1/s.
+    target_rate: f64,
+    /// Gain of the position error, 1/s, as it stands.
+    gain: f64,
+}
+
+enum Found {
+    Does(Box<Candidate>),
+    /// The slowest admissible filter chatters this much.
+    TooCoarse { amplitude: f64 },
+    Singular,
+}
+
+struct Tuner<'a> {
+    request: &'a TuneRequest,
+    method: Method,
+}
+
+impl Tuner<'_> {
+    fn start(&self, scenario: &Scenario, experiment: &Experiment) -> Result<Start, VerifyError> {
+        let case = SpeedCase::new(scenario, experiment, self.method)?;
+        let target_rate = shown_up((1.0 + MARGIN) * case.numbers.fastest_rate);
+        Ok(Start { target_rate, gain: case.looked.control.gain })
+    }
+
+    fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Candidate, VerifyError> {
+        let gain = start.gain.min(shown_down(rate / (1.0 + MARGIN)));
+        let settings = [
+            Setting { key: "control.sampling_period", value: 1.0 / rate, unit: "s" },
+            Setting { key: "control.bandwidth", value: shown_down(step * rate), unit: "rad/s" },
+            Setting { key: "control.target_rate", value: start.target_rate, unit: "1/s" },
+            Setting { key: "control.gain", value: gain, unit: "1/s" },
+        ];
+        let (text, changes) = replaced(&self.request.text, &settings)?;
+        let scenario = scenario(self.request, &text)?;
+        let case = SpeedCase::new(&scenario, &Experiment::new(&scenario)?, self.method)?;
+        let statement = case.statement();
+        let step = case.looked.control.filter_step();
+        Ok(Candidate { text, changes, case, statement, step })
+    }
+
+    /// The slowest filter whose fall beats the path's drift with the margin; 0 where none is needed.
+    fn slowest(&self, candidate: &Candidate) -> f64 {
+        let needed = candidate.case.numbers.drift_rate;
+        let period = candidate.case.looked.control.sampling_period;
+        if self.method == Method::SlidingModeImplicit { 0.0 } else { -(-(1.0 + MARGIN) * needed * period).exp_m1() }
+    }
+
+    /// Adapts the filter until its chattering is what was asked for, or the drift wants a faster one.
+    ///
+    /// The bound is affine in the step, `c (a g + X)`, but for what the run changes of `g` and `X`: a secant through the origin's value.
+    fn at(&self, rate: f64, start: &Start) -> Result<Found, VerifyError> {
+        let mut candidate = self.candidate(rate, LARGEST_STEP.min(20.0 / rate), start)?;
+        for round in 0..ROUNDS {
+            let slowest = self.slowest(&candidate);
+            if candidate.case.looked.drift.breaks() && self.method != Method::SlidingModeImplicit {
+                return Ok(Found::Singular);
+            }
+            if !(slowest < 1.0) {
+                // Not even a filter without memory falls fast enough between two samples.
+                return Ok(Found::TooCoarse { amplitude: f64::INFINITY });
+            }
+            let amplitude = bound(&candidate.statement, "chattering");
+            let keeps = amplitude <= self.request.chattering && candidate.step >= slowest;
+            // The last percent is not worth a run.
+            let near = amplitude >= 0.97 * self.request.chattering || candidate.step >= 0.99 * LARGEST_STEP;
+            if keeps && candidate.statement.accepts() && (near || round + 1 == ROUNDS) {
+                return Ok(Found::Does(Box::new(candidate)));
+            }
+            let per_step = candidate.case.chattering_per_step();
+            let rest = amplitude - per_step * candidate.step;
+            // Three digits of the bandwidth are kept, rounded down.
+            let wanted = 0.99 * (self.request.chattering - rest) / per_step;
+            let least = slowest * (1.0 + 1e-2);
+            if wanted < least && candidate.step <= 1.02 * least {
+                let amplitude = rest + per_step * least;
+                return Ok(if amplitude <= self.request.chattering && keeps && candidate.statement.accepts() {
+                    Found::Does(Box::new(candidate))
+                } else {
+                    Found::TooCoarse { amplitude: amplitude.max(bound(&candidate.statement, "chattering")) }
+                });
+            }
+            candidate = self.candidate(rate, wanted.max(least).min(LARGEST_STEP.max(least)).min(1.0), start)?;
+        }
+        let amplitude = bound(&candidate.statement, "chattering");
+        let slow = candidate.step >= self.slowest(&candidate);
+        Ok(if amplitude <= self.request.chattering && slow && candidate.statement.accepts() {
+            Found::Does(Box::new(candidate))
+        } else {
+            Found::TooCoarse { amplitude }
+        })
+    }
+
+    /// A rate at which the amplitude can be kept: it goes with the period, but for what the settings round. Tried before it is named.
+    fn enough(&self, amplitude: f64, start: &Start) -> Result<Option<f64>, VerifyError> {
+        let by = |amplitude: f64| (amplitude / self.request.chattering).clamp(1.05, 4.0);
+        let mut rate = self.request.rate * by(amplitude);
+        for _ in 0..8 {
+            rate = shown_up(1.03 * rate);
+            if !(rate < FASTEST_RATE) {
+                return Ok(None);
+            }
+            match self.at(rate, start)? {
+                Found::Does(_) => return Ok(Some(rate)),
+                Found::TooCoarse { amplitude } => rate *= by(amplitude),
+                Found::Singular => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
+
+    fn report(&self, candidate: Candidate) -> Tuned {
+        let control = candidate.case.looked.control;
+        let (slowest, rate) = (self.slowest(&candidate), 1.0 / control.sampling_period);
+        let per_step = candidate.case.chattering_per_step();
+        let amplitude = bound(&candidate.statement, "chattering");
+        let approach = |step: f64| 1e3 * control.sampling_period / step;
+        let mut trade_off = vec![format!(
+            "The filter is {}: {} rad/s. It rises within {:.0} ms (1/af) and adds at most {:.4} of the limits to the chattering of {:.4}; the rest \
+             is what the path changes from sample to sample.",
+            if candidate.step >= 0.98 * LARGEST_STEP { "as fast as pays" } else { "as fast as the chattering allows" },
+            control.bandwidth,
+            approach(candidate.step),
+            per_step * candidate.step,
+            amplitude
+        )];
+        if slowest > 0.0 {
+            trade_off.push(format!(
+                "A slower one, down to {} rad/s, would still fall {:.0} % faster than the limit along the path and chatter by {:.4}, but rise within \
+                 {:.0} ms and follow a falling limit's recovery later: further from the optimum.",
+                shown_up(slowest * rate),
+                100.0 * MARGIN,
+                amplitude - per_step * (candidate.step - slowest),
+                approach(slowest)
+            ));
+        }
+        trade_off.push(format!(
+            "The target rate is {:.0} % above the largest rate that the limits allow anywhere: more would shorten the approach and chatter in \
+             proportion.",
+            100.0 * (control.target_rate / candidate.case.numbers.fastest_rate - 1.0)
+        ));
+        if let Some(change) = candidate.changes.iter().find(|c| c.key == "control.gain") {
+            trade_off.push(format!("The gain comes down from {} to {}: the position loop must not overshoot, Kp Ts <= 1.", change.before, change.after));
+        }
+        Tuned {
+            predictions: predictions(&candidate.statement),
+            changes: candidate.changes,
+            trade_off,
+            statement: candidate.statement,
+            text: candidate.text,
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Trials of a campaign: what they depend on, and what holds in every one of them.
+
+use rayon::prelude::*;
+use slideway_lab::BUILT_IN;
+use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError, verify_options};
+
+fn request(name: &str, method: &str) -> CampaignRequest {
+    let text = BUILT_IN.iter().find(|b| b.name == name).expect("built in").text.to_owned();
+    CampaignRequest { name: name.into(), text, file: None, method: Some(method.into()), seed: 11, trials: 100_000 }
+}
+
+fn campaign(name: &str, method: &str) -> Campaign {
+    Campaign::new(request(name, method)).expect("valid")
+}
+
+fn trials(campaign: &Campaign, count: u64) -> Vec<Trial> {
+    (0..count).map(|number| campaign.trial(number).expect("runs")).collect()
+}
+
+#[test]
+fn a_trial_depends_on_its_campaign_and_its_number_alone() {
+    for (name, method) in [("planar-line", "sliding-mode"), ("helix-plane-sphere", "sliding-mode-implicit")] {
+        let one = trials(&campaign(name, method), 16);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
+        let other = campaign(name, method);
+        let backwards: Vec<u64> = (0..16).rev().collect();
+        let mut again: Vec<Trial> =
+            pool.install(|| backwards.par_iter().map(|&n| other.trial(n).expect("runs")).collect());
+        again.reverse();
+        assert_eq!(one, again);
+        // Through JSON to the bit, as a journal keeps them.
+        let text = serde_json::to_string(&one).expect("writes");
+        assert_eq!(serde_json::from_str::<Vec<Trial>>(&text).expect("reads"), one);
+        let seeded = Campaign::new(CampaignRequest { seed: 12, ..request(name, method) }).expect("valid");
+        assert_ne!(trials(&seeded, 1), one[..1]);
+    }
+}
+
+#[test]
+fn no_disturbance_breaks_what_holds_whatever_disturbs_the_loop() {
+    for (name, method, expected) in [
+        ("planar-line", "sliding-mode", vec!["command", "factor-range", "chattering-band", "signal-band"]),
+        (
+            "planar-line",
+            "sliding-mode-synchronised",
+            vec!["command", "factor-range", "chattering-band", "signal-band", "synchronised-advance"],
+        ),
+        ("planar-line", "sliding-mode-implicit", vec!["command", "factor-range", "chattering-band", "implicit-band"]),
+        ("planar-bend", "acceleration-look-ahead", vec!["command", "command-acceleration", "factor-range"]),
+        ("helix-plane-sphere", "sliding-mode-implicit", vec!["path-implicit"]),
+        ("trap-booth-oval", "sliding-mode", vec!["path-reserve"]),
+    ] {
+        let campaign = campaign(name, method);
+        let count = if name == "planar-line" { 60 } else { 15 };
+        for trial in trials(&campaign, count) {
+            for guarantee in &expected {
+                let check = trial.checks.iter().find(|check| check.guarantee == *guarantee);
+                let check = check.unwrap_or_else(|| panic!("{name} {method}: {guarantee} not checked in {trial:?}"));
+                assert!(check.kept(), "{name} {method} {}: {check:?}", trial.number);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_guarantee_whose_hypotheses_a_trial_keeps_is_kept() {
+    for (name, method, stated) in [
+        ("planar-line", "sliding-mode", "demand"),
+        ("planar-line", "sliding-mode-implicit", "demand"),
+        ("puma-helix-on-path", "sliding-mode-synchronised", "demand"),
+        ("helix-plane-sphere", "sliding-mode", "penetration"),
+    ] {
+        let campaign = campaign(name, method);
+        let found = trials(&campaign, 10);
+        for trial in &found {
+            assert!(trial.kept(), "{name} {method}: {:?} in {trial:?}", trial.violated());
+        }
+        assert!(found.iter().any(|trial| !trial.outside.is_empty()), "some trial breaks a hypothesis");
+        assert!(found.iter().any(|trial| trial.checks.iter().any(|check| check.guarantee == stated)));
+    }
+}
+
+#[test]
+fn the_table_of_a_scenario_says_how_large_disturbances_get() {
+    let base = request("planar-line", "sliding-mode");
+    let table = "\n[verify]\ntrials = 40\nseed = 5\ninitial_error = 0\njoint_noise = 0\nspeed_error = 0\ndelay = 0\njitter = 0.5\n";
+    let text = format!("{}{table}", base.text);
+    let options = verify_options("mine", &text).expect("reads");
+    assert_eq!((options.trials, options.seed, options.jitter), (Some(40), Some(5), Some(0.5)));
+    let campaign = Campaign::new(CampaignRequest { text, ..base }).expect("valid");
+    let mut most = 0.0_f64;
+    for trial in trials(&campaign, 40) {
+        assert_eq!(trial.disturbances.keys().map(String::as_str).collect::<Vec<_>>(), ["jitter", "seed"]);
+        most = most.max(trial.disturbances["jitter"].as_float().expect("a number"));
+    }
+    // Half the trials have the range times their size: all 40 below half the range with a probability of less than 0.75^40.
+    assert!(most > 0.25 && most <= 0.5, "{most}");
+}
+
+/// Noise of up to `n` on `σ` shifts what the conditioner keeps of `φ` by up to `n`: more than the statement says without noise, and no more
+/// than that with it.
+#[test]
+fn noise_shifts_the_band_of_a_conditioner_by_its_size() {
+    let base = request("helix-plane-sphere", "sliding-mode-implicit");
+    let table = "\n[verify]\ninitial_error = 0\ndistance_noise = 1e-3\ndelay = 0\njitter = 0\n";
+    let campaign = Campaign::new(CampaignRequest { text: format!("{}{table}", base.text), ..base }).expect("valid");
+    let stated =
+        campaign.statement().guarantees.iter().find(|g| g.name == "phi").and_then(|g| g.upper).expect("stated");
+    for trial in trials(&campaign, 10) {
+        let noise = trial.disturbances["distance_noise"].as_float().expect("a number");
+        let check = trial.checks.iter().find(|check| check.guarantee == "phi").expect("checked");
+        assert!(check.kept() && check.bound == stated + noise, "{check:?}");
+        // Of thousands of samples at the boundary one has nearly all of the noise.
+        assert!(check.measured > stated + 0.9 * noise, "{check:?} {noise}");
+    }
+}
+
+#[test]
+fn numbers_and_methods_that_there_are_not_are_refused() {
+    let campaign = campaign("planar-line", "sliding-mode");
+    assert!(matches!(campaign.trial(100_000), Err(VerifyError::NoTrial { number: 100_000, trials: 100_000 })));
+    for name in ["planar-line", "helix-plane-sphere"] {
+        let refused = Campaign::new(request(name, "qp-filter"));
+        assert!(matches!(refused, Err(VerifyError::UnknownMethod { .. })), "{name}");
+    }
+}

@@ -1,0 +1,16 @@
+; Twin of signal-band: the feedback is left out of the band. One joint with limit 1, two samples; the feedback opposes the feedforward
+; at the first and helps it at the second.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const f0 Real)
+(declare-const g Real)
+(declare-const e Real)
+(define-fun f1 () Real (+ f0 (* a (- 1.0 f0))))
+(assert (and (<= 0.01 a) (<= a 0.5) (<= 0.1 f0) (<= f0 1.0) (<= 0.5 g) (<= g 10.0) (<= 0.05 e) (<= e 1.0)))
+(assert (<= (- (* g f0) e) 0.99))
+(assert (>= (- (* g f0) e) -0.99))
+(assert (>= (+ (* g f1) e) (+ 0.1 (- 1.0 a) (* a g))))
+(check-sat)
+(get-value (a f0 g e))

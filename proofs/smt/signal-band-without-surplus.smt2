@@ -1,0 +1,20 @@
+; Twin of signal-band: the surplus is taken for 0 although the feedforward grows faster than the filter falls. One joint with limit 1,
+; zero feedback, three samples: released, braked, and the one that is too fast.
+(set-option :pp.decimal true)
+(set-option :pp.decimal_precision 20)
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const f0 Real)
+(declare-const g0 Real)
+(declare-const g1 Real)
+(declare-const g2 Real)
+(define-fun f1 () Real (+ f0 (* a (- 1.0 f0))))
+(define-fun f2 () Real (* (- 1.0 a) f1))
+(assert (and (<= 0.01 a) (<= a 0.5) (<= 0.1 f0) (<= f0 1.0)))
+(assert (and (<= 0.5 g0) (<= g0 g1) (<= g1 g2) (<= g2 10.0)))
+(assert (<= (* g0 f0) 0.99))
+(assert (> (* g1 f1) 1.01))
+; (1 - a)(g1 / g0) + a g2 is the band without a surplus.
+(assert (>= (* g0 (* g2 f2)) (+ (* 0.1 g0) (* (- 1.0 a) g1) (* a (* g2 g0)))))
+(check-sat)
+(get-value (a f0 g0 g1 g2))
