@@ -34,7 +34,8 @@ impl Campaign {
     ///
     /// A scenario that cannot be used.
     pub fn new(request: CampaignRequest) -> Result<Self, VerifyError> {
-        let statement = Statement { method: String::new(), hypotheses: Vec::new(), guarantees: Vec::new(), remarks: Vec::new() };
+        let statement =
+            Statement { method: String::new(), hypotheses: Vec::new(), guarantees: Vec::new(), remarks: Vec::new() };
         Ok(Self { request, statement })
     }
 
