@@ -18,7 +18,6 @@ pub(crate) use conditioning::ConditioningCase;
 pub(crate) use entry::{room, shown_down, shown_up};
 pub use observed::{Observed, Observer, Reading};
 pub(crate) use speed::SpeedCase;
-pub use speed::SpeedNumbers;
 
 use serde::{Deserialize, Serialize};
 

@@ -7,29 +7,28 @@ use super::signals::{Loop, SETTLED, SpeedMeasures, SpeedSignals};
 use super::speed_declared::Declared;
 use super::speed_loop::loop_on;
 use crate::error::VerifyError;
-use serde::{Deserialize, Serialize};
 use slideway_conditioner::bounds::Signals;
 use slideway_lab::{Experiment, Method, SampledPath, Scenario};
 
 /// What a statement about a speed law rests on, as numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SpeedNumbers {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SpeedNumbers {
     /// Certified optimum under the speed limits alone, s.
-    pub optimum_s: f64,
+    pub(crate) optimum_s: f64,
     /// Rate at which the filter falls, `-ln(1 - a) / Ts`, 1/s.
-    pub filter_fall_rate: f64,
+    pub(crate) filter_fall_rate: f64,
     /// Rate at which the limit falls along the path at the pace of the loop, 1/s.
-    pub drift_rate: f64,
+    pub(crate) drift_rate: f64,
     /// The same from half as many samples, 1/s: whether the number has settled.
-    pub drift_rate_coarse: f64,
+    pub(crate) drift_rate_coarse: f64,
     /// Largest path rate that the limits allow anywhere, 1/s.
-    pub fastest_rate: f64,
+    pub(crate) fastest_rate: f64,
     /// Largest overspeed along the path, `λ̇d / λ̇*`.
-    pub overspeed: f64,
+    pub(crate) overspeed: f64,
     /// Largest change of the demand over one sample, a share of the limits, without the filter's part.
-    pub demand_change: f64,
+    pub(crate) demand_change: f64,
     /// Samples at which the path was read.
-    pub path_samples: usize,
+    pub(crate) path_samples: usize,
 }
 
 /// Everything a statement is assembled from.
