@@ -93,7 +93,7 @@ impl Law {
 struct Timed {
     found: f64,
     ends: [f64; 2],
-    /// As many additions as samples, each of a few roundings, as in [`crate::time_bracket`].
+    /// As many additions as samples and the last in part, each of a few roundings, as in [`crate::time_bracket`].
     slack: f64,
 }
 
@@ -141,7 +141,7 @@ fn timed(choices: &mut Choices, subject: Subject) -> Result<Timed, Stop> {
     let variation = path.variation();
     let inputs = TravelInputs { sums, optimum: [optimum; 2], period: TS, variation, sample_drift };
     let ends = travel_bracket(&inputs).ok_or_else(|| Stop::Refused(format!("{inputs:?}")))?;
-    let slack = samples * 100.0 * ROUNDOFF * (1.0 + sums.pace);
+    let slack = (samples + 2.0) * 100.0 * ROUNDOFF * (1.0 + sums.pace);
     Ok(Timed { found: time / optimum, ends: ends.map(|t| t / optimum), slack })
 }
 

@@ -9,6 +9,7 @@ use slideway_conditioner::acceleration::{
     AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, LookAhead, LookAheadSettings,
     Preview, Recovery,
 };
+use slideway_conditioner::bounds::{Progress, SignalBand, TravelInputs, implicit_chattering, travel_bracket};
 use slideway_conditioner::path::{
     Constraint, Margin, Motion, PathForm, PathSettings, PathState, PathStep, Reserve, SwitchingLaw, TrapSettings, Walk,
 };
@@ -102,6 +103,24 @@ pub extern "Rust" fn acceleration_step(
 #[unsafe(no_mangle)]
 pub extern "C" fn band(filter_step: f64, overspeed: f64, drift: f64) -> f64 {
     slideway_conditioner::bounds::drifting_band(filter_step, overspeed, drift).unwrap_or(f64::INFINITY)
+}
+
+/// A sample of the collectors that can run beside the regulator.
+#[unsafe(no_mangle)]
+pub extern "Rust" fn signal_step(
+    limits: &SpeedLimits<6>,
+    demand: &AffineSpeed<6>,
+    numbers: &[f64; 3],
+    band: &mut SignalBand<6>,
+    progress: &mut Progress,
+) -> f64 {
+    let [factor, switch, on_path] = *numbers;
+    band.update(limits, demand, factor, switch);
+    progress.update(limits, demand, factor, on_path);
+    let sums = progress.sums();
+    let inputs = TravelInputs { sums, optimum: [1.0; 2], period: factor, variation: switch, sample_drift: on_path };
+    let lower = travel_bracket(&inputs).map_or(f64::NAN, |[lower, upper]| lower + upper);
+    band.band() + implicit_chattering(&band.signals(), factor, switch) + lower
 }
 
 /// What a path step is called with: a conditioner made from raw numbers is made elsewhere, once.

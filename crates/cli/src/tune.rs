@@ -73,7 +73,13 @@ fn tuned_in_words(tuned: &Tuned, out: Option<&Path>) -> String {
 /// What is guaranteed beside what the run gave.
 fn predictions(predictions: &[Prediction]) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header(["guaranteed of the tuned scenario", "at least", "at most", "in the run", ""]);
+    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
+        "guaranteed of the tuned scenario",
+        "at least",
+        "at most",
+        "in the run",
+        "",
+    ]);
     for p in predictions {
         let number = |value: Option<f64>| value.map_or("-".into(), short);
         let name = format!("{}: {}", p.name, p.text);

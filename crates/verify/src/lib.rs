@@ -13,6 +13,6 @@ mod tune;
 
 pub use campaign::{Campaign, CampaignRequest, verify_options};
 pub use error::VerifyError;
-pub use statement::{Guarantee, Hypothesis, Observed, Observer, Reading, Relation, SpeedNumbers, Statement};
+pub use statement::{Guarantee, Hypothesis, Observed, Observer, Reading, Relation, Statement};
 pub use trial::{Check, Trial};
 pub use tune::{Change, Impossible, MARGIN, Prediction, TuneOutcome, TuneRequest, Tuned, tune};

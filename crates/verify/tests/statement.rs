@@ -34,7 +34,10 @@ fn contains_what_it_measured(name: &str, statement: &Statement) {
     for g in &statement.guarantees {
         assert!(g.measured.is_none_or(|value| g.contains(value)), "{name} {}: {g:?}", statement.method);
         assert!(g.upper.is_some_and(f64::is_finite), "{name}: {g:?}");
-        assert!(g.rests_on.iter().all(|h| statement.hypotheses.iter().any(|one| one.name == *h && one.holds())), "{g:?}");
+        assert!(
+            g.rests_on.iter().all(|h| statement.hypotheses.iter().any(|one| one.name == *h && one.holds())),
+            "{g:?}"
+        );
     }
     if statement.accepts() {
         assert!(statement.guarantees.iter().any(|g| g.measured.is_some()), "{name} {}", statement.method);

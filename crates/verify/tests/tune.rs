@@ -77,7 +77,10 @@ fn a_gain_too_high_for_the_rate_comes_down() -> Outcome {
     request.text = request.text.replace("gain = 20", "gain = 950");
     let tuned = tuned(&request)?;
     let gain = tuned.statement.hypotheses.iter().find(|h| h.name == "gain-step").ok_or("not stated")?;
-    assert!(gain.value <= 1.0 / (1.0 + MARGIN) + 1e-9 && tuned.changes.iter().any(|c| c.key == "control.gain"), "{gain:?}");
+    assert!(
+        gain.value <= 1.0 / (1.0 + MARGIN) + 1e-9 && tuned.changes.iter().any(|c| c.key == "control.gain"),
+        "{gain:?}"
+    );
     Ok(())
 }
 

@@ -15,7 +15,11 @@ fn the_shipped_regulator_keeps_the_band_of_its_signals() -> Outcome {
 }
 
 /// What one joint with the limits -1 and 1 shows: the ratios, and the signals.
-fn run<const K: usize>(a: f64, f0: f64, demand: [(f64, f64); K]) -> Result<([f64; K], Signals), Box<dyn std::error::Error>> {
+fn run<const K: usize>(
+    a: f64,
+    f0: f64,
+    demand: [(f64, f64); K],
+) -> Result<([f64; K], Signals), Box<dyn std::error::Error>> {
     let limits = SpeedLimits::symmetric([1.0])?;
     let (regulator, mut state) = (unit_joint(a, 1.0)?, SpeedState::moving(f0)?);
     let mut band = SignalBand::new(a);

@@ -20,7 +20,8 @@ fn bracket_is_left(f: f64, g: f64, e: f64) -> Outcome {
     let limits = SpeedLimits::symmetric([1.0])?;
     // So slow that the factor stays where it is.
     let settings = settings(limits, 1e-9, 1.0);
-    let regulator = SpeedRegulator::new(slideway_conditioner::SpeedSettings { advance: Advance::Synchronised, ..settings })?;
+    let regulator =
+        SpeedRegulator::new(slideway_conditioner::SpeedSettings { advance: Advance::Synchronised, ..settings })?;
     let mut state = SpeedState::moving(f)?;
     let demand = AffineSpeed { feedback: [-e], feedforward: [g] };
     let (mut progress, mut covered, mut samples) = (Progress::new(ProgressForm::Explicit, 1e-9), 0.0, 0.0);
@@ -31,7 +32,8 @@ fn bracket_is_left(f: f64, g: f64, e: f64) -> Outcome {
         covered += command.path_rate * g;
         samples += 1.0;
     }
-    let inputs = TravelInputs { sums: progress.sums(), optimum: [20.0 * TS; 2], period: TS, variation: 0.0, sample_drift: 0.0 };
+    let inputs =
+        TravelInputs { sums: progress.sums(), optimum: [20.0 * TS; 2], period: TS, variation: 0.0, sample_drift: 0.0 };
     let blind = TravelInputs { sums: ProgressSums { feedback: 0.0, ..inputs.sums }, ..inputs };
     let [blind, honest] = [blind, inputs].map(|i| travel_bracket(&i).ok_or("finite numbers"));
     // The last sample is counted whole.

@@ -1,9 +1,9 @@
 //! The statement about a path conditioner.
 
 use super::contact::ContactSignals;
+use super::entry::{ROOM, at_most, failing, room, shown_down, shown_up, up_to};
 use super::observed::{Observed, Reading};
 use super::{Guarantee, Hypothesis, Relation, Statement};
-use super::entry::{ROOM, at_most, failing, room, shown_down, shown_up, up_to};
 use crate::error::VerifyError;
 use slideway_conditioner::path::{Reserve, SwitchingLaw, bounds};
 use slideway_lab::conditioning::{
@@ -132,16 +132,45 @@ impl ConditioningCase {
         let mut add = |name: &str, claim: &str, text: &str, unit: &str, value: f64, needed: f64| {
             list.push(Hypothesis { value, needed, ..at_most(name, claim, text, unit) });
         };
-        add("cutoff-step", "path-band", "cutoff times sampling period: the push takes effect slower than it is decided", "1", problem.push_cutoff * period, 1.0);
-        add("bulge", "path-lag", "rise of φ between two samples, from its second differences", "m", n.bulge, declared.bulge);
+        add(
+            "cutoff-step",
+            "path-band",
+            "cutoff times sampling period: the push takes effect slower than it is decided",
+            "1",
+            problem.push_cutoff * period,
+            1.0,
+        );
+        add(
+            "bulge",
+            "path-lag",
+            "rise of φ between two samples, from its second differences",
+            "m",
+            n.bulge,
+            declared.bulge,
+        );
         add("held", "path-implicit", "share of samples at which the reference was held", "1", n.held, 0.0);
         if self.method == PathMethod::SlidingMode {
-            add("rise", "path-band", "largest rise of φ over one sample beside a constraint without its push", "m", n.rise, declared.rise);
+            add(
+                "rise",
+                "path-band",
+                "largest rise of φ over one sample beside a constraint without its push",
+                "m",
+                n.rise,
+                declared.rise,
+            );
             add("push", "path-band", "largest full push of one sample on φ", "m", n.push, declared.push);
-            add("fall", "path-band", "largest fall of φ over one sample of contact by its drift alone", "m", n.fall, declared.fall);
+            add(
+                "fall",
+                "path-band",
+                "largest fall of φ over one sample of contact by its drift alone",
+                "m",
+                n.fall,
+                declared.fall,
+            );
         }
         if self.method == PathMethod::SlidingMode && self.reserve().is_none() {
-            let text = "drift of φ over the push against it, at samples at which the constraint acts: gain against push";
+            let text =
+                "drift of φ over the push against it, at samples at which the constraint acts: gain against push";
             add("push-share", "path-band", text, "1", n.push_share, 1.0);
         }
         if self.band() {
@@ -151,7 +180,9 @@ impl ConditioningCase {
         }
         for one in &mut list {
             one.remedy = match one.name.as_str() {
-                "cutoff-step" => failing(one, || format!("`conditioner.sampling_period`: at most {}", shown_down(1.0 / problem.push_cutoff))),
+                "cutoff-step" => failing(one, || {
+                    format!("`conditioner.sampling_period`: at most {}", shown_down(1.0 / problem.push_cutoff))
+                }),
                 "push-share" => failing(one, || self.stronger_push(one.value)),
                 _ => None,
             };
@@ -163,7 +194,9 @@ impl ConditioningCase {
     fn stronger_push(&self, share: f64) -> String {
         let by = |value: f64| shown_up(1.1 * share * value);
         match self.problem.law {
-            SwitchingLaw::Normalised { amplitude } => format!("`conditioner.law.normalised.amplitude`: at least {}", by(amplitude)),
+            SwitchingLaw::Normalised { amplitude } => {
+                format!("`conditioner.law.normalised.amplitude`: at least {}", by(amplitude))
+            }
             SwitchingLaw::Sum { gain } => format!("`conditioner.law.sum.gain`: at least {}", by(gain)),
         }
     }
@@ -202,12 +235,18 @@ impl ConditioningCase {
         // Claim `path-lag`: σ follows φ, which can bulge between samples.
         let sigma = (phi + declared.bulge).max(declared.start);
         let text = "largest σ of any constraint: how far it is broken, negative inside";
-        list.push(Guarantee { measured: Some(measured.sigma), ..up_to("penetration", "path-lag", text, "m", sigma, &rests) });
+        list.push(Guarantee {
+            measured: Some(measured.sigma),
+            ..up_to("penetration", "path-lag", text, "m", sigma, &rests)
+        });
         if self.method == PathMethod::SlidingMode {
             let text = "largest change of φ over one sample while its constraint acts";
             let bound = declared.rise.max(declared.push + declared.fall);
             let rests = ["rise", "push", "fall", "held"];
-            list.push(Guarantee { measured: measured.chattering, ..up_to("chattering", "path-band", text, "m", bound, &rests) });
+            list.push(Guarantee {
+                measured: measured.chattering,
+                ..up_to("chattering", "path-band", text, "m", bound, &rests)
+            });
         }
         list.extend(self.recovery());
         list
@@ -229,7 +268,10 @@ impl ConditioningCase {
             100.0 * ROOM
         )];
         if self.reserve().is_some() && self.method == PathMethod::SlidingMode {
-            list.push(format!("The reserve helps where the push is not enough; the push share was {:.3} at most.", self.nominal.push_share));
+            list.push(format!(
+                "The reserve helps where the push is not enough; the push share was {:.3} at most.",
+                self.nominal.push_share
+            ));
         }
         list
     }
@@ -247,7 +289,8 @@ pub(crate) fn observed(problem: &ConditioningProblem, trace: &ConditionedTrace) 
         ("push-share", signals.push_share),
         ("margin", signals.margin),
     ];
-    let guarantees = [("phi", Some(measured.phi)), ("penetration", Some(measured.sigma)), ("chattering", measured.chattering)];
+    let guarantees =
+        [("phi", Some(measured.phi)), ("penetration", Some(measured.sigma)), ("chattering", measured.chattering)];
     let reading = |(name, value)| Reading { name, value };
     Observed {
         hypotheses: hypotheses.map(reading).to_vec(),

@@ -1,7 +1,9 @@
 //! What one run of the path conditioner showed beside its constraints.
 
 use slideway_conditioner::path::{Constraint, Motion, bounds};
-use slideway_lab::conditioning::{ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, Phase};
+use slideway_lab::conditioning::{
+    ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, Phase,
+};
 
 /// Suprema over the samples and constraints of a run. Lengths in m, of `φ` unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,12 +51,14 @@ impl ContactSignals {
             push: 0.0,
             bulge: 0.0,
             margin: margin(problem),
-            held: trace.samples.iter().filter(|s| s.phase == Phase::Held).count() as f64 / trace.samples.len().max(1) as f64,
+            held: trace.samples.iter().filter(|s| s.phase == Phase::Held).count() as f64
+                / trace.samples.len().max(1) as f64,
             start: trace.samples.first().map_or(0.0, |s| start(s, problem.constraints.len())),
         };
         let mut narrowest = f64::INFINITY;
         for index in 0..problem.constraints.len() {
-            let steps: Vec<Step> = trace.samples.windows(2).map(|pair| step(problem, trace.method, index, pair)).collect();
+            let steps: Vec<Step> =
+                trace.samples.windows(2).map(|pair| step(problem, trace.method, index, pair)).collect();
             signals.take(problem, index, &steps);
             narrowest = steps.iter().filter(|s| s.acts).map(|s| s.full).fold(narrowest, f64::min);
         }

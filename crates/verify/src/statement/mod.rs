@@ -7,12 +7,17 @@ mod observed;
 mod path_drift;
 mod signals;
 mod speed;
+mod speed_declared;
+mod speed_guarantees;
+mod speed_hypotheses;
+mod speed_loop;
+mod speed_observed;
+mod speed_words;
 
 pub(crate) use conditioning::ConditioningCase;
 pub(crate) use entry::{room, shown_down, shown_up};
 pub use observed::{Observed, Observer, Reading};
 pub(crate) use speed::SpeedCase;
-pub use speed::SpeedNumbers;
 
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,5 @@
 use super::signals::Loop;
-use super::{conditioning, speed};
+use super::{conditioning, speed_loop, speed_observed};
 use crate::error::VerifyError;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, ConditioningScenario};
 use slideway_lab::{Experiment, Method, Scenario, Trace};
@@ -55,7 +55,7 @@ impl Observer {
     ///
     /// The inverse kinematics fails at a place it passed while tracing.
     pub fn for_speed(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        Ok(Self { kind: Kind::Speed(Box::new(speed::observed_loop(scenario, experiment, method)?)) })
+        Ok(Self { kind: Kind::Speed(Box::new(speed_loop::observed_loop(scenario, experiment, method)?)) })
     }
 
     /// For runs of a conditioning scenario.
@@ -71,7 +71,7 @@ impl Observer {
     #[must_use]
     pub fn speed(&self, trace: &Trace) -> Observed {
         match &self.kind {
-            Kind::Speed(looked) => speed::observed(&looked.signals(trace), &looked.measures(trace), looked),
+            Kind::Speed(looked) => speed_observed::observed(&looked.signals(trace), &looked.measures(trace), looked),
             Kind::Conditioning(_) => Observed::default(),
         }
     }

@@ -1,8 +1,8 @@
 //! What one run of a speed law showed: the signals that the claims ask about, and the quantities that they bound.
 
 use super::path_drift::PathDrift;
-use slideway_conditioner::bounds::{Progress, ProgressForm, ProgressSums, SignalBand, Signals};
 use slideway_conditioner::SpeedLimits;
+use slideway_conditioner::bounds::{Progress, ProgressForm, ProgressSums, SignalBand, Signals};
 use slideway_lab::{ControlSettings, MAX_JOINTS, Method, MethodSummary, Sample, SampledPath, Trace};
 
 /// Below this use of the limits the feedback counts as settled.
@@ -153,7 +153,8 @@ impl Loop {
             let worst = s.split.feedback.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
             return worst / self.control.gain / slideway_lab::ARRIVAL_POSITION;
         }
-        (norm(&s.error[..3]) / slideway_lab::ARRIVAL_POSITION).max(norm(&s.error[3..]) / slideway_lab::ARRIVAL_ORIENTATION)
+        (norm(&s.error[..3]) / slideway_lab::ARRIVAL_POSITION)
+            .max(norm(&s.error[3..]) / slideway_lab::ARRIVAL_ORIENTATION)
     }
 }
 

@@ -54,8 +54,10 @@ fn parsed(request: &TuneRequest, text: &str) -> Result<ConditioningScenario, Ver
 fn candidate(request: &TuneRequest, rate: f64, wanted: Option<f64>) -> Result<Candidate, VerifyError> {
     let (key, given, unit) = strength(parsed(request, &request.text)?.problem()?.law);
     let strength = wanted.unwrap_or(given);
-    let settings =
-        [Setting { key: "conditioner.sampling_period", value: 1.0 / rate, unit: "s" }, Setting { key, value: strength, unit }];
+    let settings = [
+        Setting { key: "conditioner.sampling_period", value: 1.0 / rate, unit: "s" },
+        Setting { key, value: strength, unit },
+    ];
     let (text, changes) = replaced(&request.text, &settings)?;
     let case = ConditioningCase::new(parsed(request, &text)?.problem()?, PathMethod::SlidingMode)?;
     let statement = case.statement();
@@ -79,7 +81,11 @@ fn at(request: &TuneRequest, rate: f64) -> Result<Found, VerifyError> {
             let needed = (room(contact.push) * least / tried.strength + fall).max(room(contact.rise));
             return Ok(Found::TooCoarse { amplitude: needed.max(1.02 * request.chattering) });
         }
-        tried = candidate(request, rate, Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))))?;
+        tried = candidate(
+            request,
+            rate,
+            Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))),
+        )?;
     }
     Ok(Found::TooCoarse { amplitude: (1.05 * request.chattering).max(room(tried.case.nominal().push)) })
 }

@@ -30,9 +30,9 @@ pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
         return Err(VerifyError::NoClaims { method: method.name().to_owned() });
     }
     let tuner = Tuner { request, method };
-    let fastest = tuner.start(&scenario, &experiment)?;
-    match tuner.at(request.rate, &fastest)? {
-        Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate)))),
+    let start = tuner.start(&scenario, &experiment)?;
+    match tuner.at(request.rate, &start)? {
+        Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate, &start)?))),
         Found::Singular => Ok(TuneOutcome::Impossible(Impossible {
             reason: "the limit falls without bound where the path meets a singularity: no filter is fast enough. Lead the path around it, or \
                      judge `sliding-mode-implicit`, which needs none"
@@ -45,7 +45,7 @@ pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
                 "at {} Hz the filter that is fast enough for the path, and the path's own changes from sample to sample, chatter more",
                 request.rate
             ),
-            rate: tuner.enough(amplitude, &fastest)?,
+            rate: tuner.enough(amplitude, &start)?,
             chattering: amplitude.is_finite().then(|| shown_up(amplitude)),
         })),
     }
@@ -70,7 +70,9 @@ struct Start {
 enum Found {
     Does(Box<Candidate>),
     /// The slowest admissible filter chatters this much.
-    TooCoarse { amplitude: f64 },
+    TooCoarse {
+        amplitude: f64,
+    },
     Singular,
 }
 
@@ -172,45 +174,67 @@ impl Tuner<'_> {
         Ok(None)
     }
 
-    fn report(&self, candidate: Candidate) -> Tuned {
-        let control = candidate.case.looked.control;
-        let (slowest, rate) = (self.slowest(&candidate), 1.0 / control.sampling_period);
-        let per_step = candidate.case.chattering_per_step();
-        let amplitude = bound(&candidate.statement, "chattering");
-        let approach = |step: f64| 1e3 * control.sampling_period / step;
-        let mut trade_off = vec![format!(
-            "The filter is {}: {} rad/s. It rises within {:.0} ms (1/af) and adds at most {:.4} of the limits to the chattering of {:.4}; the rest \
-             is what the path changes from sample to sample.",
-            if candidate.step >= 0.98 * LARGEST_STEP { "as fast as pays" } else { "as fast as the chattering allows" },
-            control.bandwidth,
-            approach(candidate.step),
-            per_step * candidate.step,
-            amplitude
-        )];
-        if slowest > 0.0 {
-            trade_off.push(format!(
-                "A slower one, down to {} rad/s, would still fall {:.0} % faster than the limit along the path and chatter by {:.4}, but rise within \
-                 {:.0} ms and follow a falling limit's recovery later: further from the optimum.",
-                shown_up(slowest * rate),
-                100.0 * MARGIN,
-                amplitude - per_step * (candidate.step - slowest),
-                approach(slowest)
-            ));
-        }
+    fn report(&self, candidate: Candidate, start: &Start) -> Result<Tuned, VerifyError> {
+        let mut trade_off = vec![self.filter_in_words(&candidate)];
+        trade_off.extend(self.slower_in_words(&candidate, start)?);
+        let (control, fastest) = (candidate.case.looked.control, candidate.case.numbers.fastest_rate);
         trade_off.push(format!(
-            "The target rate is {:.0} % above the largest rate that the limits allow anywhere: more would shorten the approach and chatter in \
-             proportion.",
-            100.0 * (control.target_rate / candidate.case.numbers.fastest_rate - 1.0)
+            "The target rate is {:.0} % above the largest rate that the limits allow anywhere: more would shorten the approach and chatter \
+             in proportion.",
+            100.0 * (control.target_rate / fastest - 1.0)
         ));
         if let Some(change) = candidate.changes.iter().find(|c| c.key == "control.gain") {
-            trade_off.push(format!("The gain comes down from {} to {}: the position loop must not overshoot, Kp Ts <= 1.", change.before, change.after));
+            let (before, after) = (&change.before, change.after);
+            trade_off.push(format!(
+                "The gain comes down from {before} to {after}: the position loop must not overshoot, Kp Ts <= 1."
+            ));
         }
-        Tuned {
+        Ok(Tuned {
             predictions: predictions(&candidate.statement),
             changes: candidate.changes,
             trade_off,
             statement: candidate.statement,
             text: candidate.text,
-        }
+        })
     }
+
+    fn filter_in_words(&self, candidate: &Candidate) -> String {
+        let control = candidate.case.looked.control;
+        let why =
+            if candidate.step >= 0.98 * LARGEST_STEP { "as fast as pays" } else { "as fast as the chattering allows" };
+        format!(
+            "The filter is {why}: {} rad/s. It rises within {:.0} ms (1/af) and adds at most {:.4} of the limits to the chattering of {:.4}; \
+             the rest is what the path changes from sample to sample.{}",
+            control.bandwidth,
+            1e3 / control.bandwidth,
+            candidate.case.chattering_per_step() * candidate.step,
+            bound(&candidate.statement, "chattering"),
+            in_words(candidate)
+        )
+    }
+
+    /// What the slowest filter with the margin would do, run as well.
+    fn slower_in_words(&self, candidate: &Candidate, start: &Start) -> Result<Option<String>, VerifyError> {
+        let slowest = 1.01 * self.slowest(candidate);
+        if !(slowest > 0.0 && slowest < 0.95 * candidate.step) {
+            return Ok(None);
+        }
+        let slower = self.candidate(1.0 / candidate.case.looked.control.sampling_period, slowest, start)?;
+        let bandwidth = slower.case.looked.control.bandwidth;
+        Ok(Some(format!(
+            "A slower one, down to {bandwidth} rad/s, would still fall {:.0} % faster than the limit along the path and chatter by {:.4} at most, \
+             but rise within {:.0} ms.{}",
+            100.0 * MARGIN,
+            bound(&slower.statement, "chattering"),
+            1e3 / bandwidth,
+            in_words(&slower)
+        )))
+    }
+}
+
+/// The time of a run beside the optimum, and what it is predicted to be.
+fn in_words(candidate: &Candidate) -> String {
+    let found = candidate.statement.guarantees.iter().find(|g| g.name == "time-over-optimum");
+    let Some((measured, upper)) = found.and_then(|g| g.measured.zip(g.upper)) else { return String::new() };
+    format!(" It needs {measured:.4} of the optimum's time, at most {upper:.4}.")
 }

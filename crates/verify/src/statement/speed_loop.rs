@@ -1,0 +1,49 @@
+//! The loop that runs of a speed scenario are judged in.
+
+use super::path_drift::PathDrift;
+use super::signals::Loop;
+use crate::error::VerifyError;
+use slideway_baselines::time_optimal::time_optimum;
+use slideway_lab::{Experiment, Method, SampledPath, Scenario};
+
+/// Samples between the grid points of the optimum at which the path's drift is read.
+const BETWEEN: usize = 7;
+
+/// The loop a run of this scenario is judged in, and its path.
+pub(crate) fn loop_on(
+    scenario: &Scenario,
+    experiment: &Experiment,
+    method: Method,
+) -> Result<(Loop, SampledPath), VerifyError> {
+    let path = experiment.sample(scenario.grid_points(), BETWEEN)?;
+    let limits = Loop::limits(&path).ok_or(VerifyError::NoLimits)?;
+    let found = time_optimum(&nodes_alone(&path))?;
+    let looked = Loop {
+        method,
+        control: experiment.control(),
+        limits,
+        drift: PathDrift::new(&path),
+        optimum: [found.duration_s, found.lower_s, found.upper_s],
+        by_joints: follows_joints(scenario),
+    };
+    Ok((looked, path))
+}
+
+/// The loop alone.
+pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
+    Ok(loop_on(scenario, experiment, method)?.0)
+}
+
+/// The grid that `compare` solves for the optimum on, under the speed limits alone.
+fn nodes_alone(path: &SampledPath) -> SampledPath {
+    let mut path = path.under_speed_limits_alone();
+    for piece in &mut path.pieces {
+        piece.between.iter_mut().for_each(Vec::clear);
+    }
+    path
+}
+
+fn follows_joints(scenario: &Scenario) -> bool {
+    let document: Option<toml::Table> = scenario.text().parse().ok();
+    document.is_some_and(|d| d.get("path").and_then(|path| path.get("joints")).is_some())
+}
