@@ -1,7 +1,7 @@
 use crate::journal_error::JournalError;
 use crate::sweep_error::SweepFailure;
 use crate::table::short;
-use crate::verify_error::VerifyFailure;
+use crate::verify_error::{VerifyFailure, of_campaign};
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
@@ -155,10 +155,7 @@ impl CliError {
             Self::Journal(error) => error.remedy(),
             Self::Verify(failure) => failure.remedy(),
             Self::Threads(error) => error.remedy(),
-            Self::Tune { error, .. } => match error.as_ref() {
-                VerifyError::NoKey { key } => format!("give the scenario a value for `{key}`, for example from `slideway init`"),
-                _ => "choose a sliding mode under speed limits with `compare.method`, for example sliding-mode-synchronised".into(),
-            },
+            Self::Tune { error, .. } => of_campaign(error),
             Self::Figures(_) => "check that the output folder may be written".into(),
         }
     }

@@ -44,13 +44,21 @@ impl VerifyFailure {
     }
 }
 
-fn of_campaign(error: &VerifyError) -> String {
+/// What to do about a scenario that cannot be verified or tuned.
+pub(crate) fn of_campaign(error: &VerifyError) -> String {
     match error {
         VerifyError::Scenario(error) => error.remedy(),
         VerifyError::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
         VerifyError::NoLimits => "give joint-speed limits below zero and above it".into(),
         VerifyError::Optimum(_) => {
             "give a path that avoids singular configurations, and limits that some motion keeps".into()
+        }
+        VerifyError::NoClaims { .. } => {
+            "choose one of the conditioner's forms with `compare.method` or --method".into()
+        }
+        VerifyError::NotPositive { .. } => "give a positive finite number".into(),
+        VerifyError::NoKey { key } => {
+            format!("give the scenario a value for `{key}`, for example from `slideway init`")
         }
         VerifyError::NoTrial { .. } => "ask for more trials with --trials".into(),
     }
