@@ -3,9 +3,8 @@ use crate::claims_json::{json, proof_in_words};
 use crate::claims_report::write_report;
 use crate::diagnostic::CliError;
 use crate::loaded::edit_distance;
-use crate::output::{Outcome, print};
+use crate::output::{Outcome, new_table, print};
 use crate::replay;
-use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_proofs::ledger::{
     Entry, NIGHTLY, ProofStatus, SEED, SMOKE, margin_in_words, markdown, prove, verdict_in_words,
@@ -87,8 +86,7 @@ fn measured(claims: &[&'static Claim], cases: u64) -> Vec<Entry> {
 }
 
 fn table(entries: &[Entry], proofs: &[ProofStatus]) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header(["claim", "source", "its statement", "proof", "cases", "smallest margin"]);
     for (entry, proof) in entries.iter().zip(proofs) {
         let margins: Vec<String> = entry.measured.iter().map(|m| margin_in_words(m.report.smallest)).collect();

@@ -1,9 +1,10 @@
 //! Speed beside what it costs the drives, for a terminal and for the report.
 
+use crate::output::new_table;
 use crate::report::escape;
 use crate::summary::Summary;
 use crate::table::short;
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::CellAlignment;
 use slideway_lab::{Effort, Method};
 
 const HEADER: [&str; 6] = [
@@ -28,8 +29,7 @@ pub(crate) fn render(summary: &Summary) -> String {
     if !is_asked_for(summary) {
         return String::new();
     }
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header(HEADER);
     rows(summary).into_iter().for_each(|row| {
         table.add_row(row);

@@ -3,9 +3,9 @@
 use crate::compared::{CompareOptions, Compared, KeyFigures};
 use crate::diagnostic::CliError;
 use crate::loaded::{Loaded, scenario_error};
-use crate::output::{Outcome, create, print, progress};
+use crate::output::{Outcome, create, new_table, print, progress};
 use crate::report::{escape, page_head};
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{Cell, CellAlignment};
 use serde::Serialize;
 use slideway_lab::{BUILT_IN, Expectation};
 use std::path::Path;
@@ -93,8 +93,7 @@ impl Gallery {
             print(&(text + "\n"));
             return Ok(());
         }
-        let mut table = Table::new();
-        table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+        let mut table = new_table();
         table.set_header(["scenario", "T* [s]", "gap", "ratio", "verdict"]);
         for entry in &self.scenarios {
             table.add_row(entry.cells().map(Cell::new));

@@ -1,4 +1,5 @@
 use crate::diagnostic::CliError;
+use comfy_table::{ContentArrangement, LineStyle, Table, TableStyle};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::Write as _;
@@ -20,6 +21,15 @@ impl Outcome {
             Self::Fails => 1,
         }
     }
+}
+
+/// An empty table as this command shows them: a line above and below its head, one at its foot, none between rows.
+pub(crate) fn new_table() -> Table {
+    let line = |fill| LineStyle::none().fill(fill).junction(fill);
+    let style = TableStyle::new().top_border(line('─')).header_separator(line('─')).bottom_border(line('─'));
+    let mut table = Table::new();
+    table.load_style(style).set_content_arrangement(ContentArrangement::Dynamic);
+    table
 }
 
 /// Prints to standard output; a reader that closes the pipe early is no error.

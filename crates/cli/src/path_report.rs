@@ -1,7 +1,8 @@
+use crate::output::new_table;
 use crate::path_summary::PathSummary;
 use crate::report::{Page, escape};
 use crate::table::short;
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{Cell, CellAlignment};
 use slideway_figures::Rendered;
 use slideway_lab::conditioning::{ConditioningScenario, PathMethodSummary};
 
@@ -48,8 +49,7 @@ const NOTE: &str = "Columns with several numbers have one per constraint. Projec
 
 /// The comparison as a table with what it means, for a terminal.
 pub(crate) fn table(summary: &PathSummary) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header(COLUMNS.map(|(title, _)| title));
     for method in &summary.methods {
         table.add_row(COLUMNS.map(|(_, cell)| Cell::new(cell(method))));

@@ -1,10 +1,10 @@
 use crate::args::StudyArguments;
 use crate::diagnostic::CliError;
 use crate::loaded::edit_distance;
-use crate::output::{Outcome, create, show, write_summary};
+use crate::output::{Outcome, create, new_table, show, write_summary};
 use crate::report::{Page, escape};
 use crate::table::short;
-use comfy_table::{Cell, CellAlignment, Table, presets};
+use comfy_table::{Cell, CellAlignment};
 use slideway_figures::{Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Rendered, draw_chart};
 use slideway_study::{Panel, Report, Role, Scales, Series, Study};
 use std::path::{Path, PathBuf};
@@ -78,8 +78,8 @@ fn curve(series: &Series) -> ChartCurve<'_> {
 }
 
 fn table(report: &Report, study: Study) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header(["number", "value", "unit"]);
+    let mut table = new_table();
+    table.set_header(["number", "value", "unit"]);
     for number in &report.numbers {
         let value = Cell::new(short(number.value)).set_alignment(CellAlignment::Right);
         table.add_row([Cell::new(&number.name), value, Cell::new(number.unit)]);

@@ -1,5 +1,6 @@
+use crate::output::new_table;
 use crate::table::short;
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{Cell, CellAlignment, Table};
 use slideway_lab::sweep::{Statistics, SweepPlan, SweepSummary, SweepTotals, shown};
 
 /// Columns of the rows that a grid's table shows, where they exist.
@@ -17,8 +18,7 @@ fn heading(plan: &SweepPlan, summary: &SweepSummary) -> String {
 }
 
 fn table(header: Vec<String>, text_columns: usize) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header(header);
     for column in table.column_iter_mut().skip(text_columns) {
         column.set_cell_alignment(CellAlignment::Right);

@@ -1,11 +1,11 @@
 use crate::effort_table;
+use crate::output::new_table;
 use crate::summary::{MethodEntry, OptimumEntry, Summary};
-use comfy_table::{Cell, CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{Cell, CellAlignment};
 
 /// The comparison as a table with what it means, for a terminal.
 pub(crate) fn render(summary: &Summary) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header([
         "method",
         "reference\nends [s]",

@@ -1,9 +1,9 @@
 use crate::args::TuneArguments;
 use crate::diagnostic::CliError;
 use crate::loaded::{scenario_error, source};
-use crate::output::{Outcome, print};
+use crate::output::{Outcome, new_table, print};
 use crate::table::short;
-use comfy_table::{CellAlignment, Table, presets};
+use comfy_table::{CellAlignment, Table};
 use slideway_verify::{Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -72,14 +72,8 @@ fn tuned_in_words(tuned: &Tuned, out: Option<&Path>) -> String {
 
 /// What is guaranteed beside what the run gave.
 fn predictions(predictions: &[Prediction]) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
-        "guaranteed of the tuned scenario",
-        "at least",
-        "at most",
-        "in the run",
-        "",
-    ]);
+    let mut table = new_table();
+    table.set_header(["guaranteed of the tuned scenario", "at least", "at most", "in the run", ""]);
     for p in predictions {
         let number = |value: Option<f64>| value.map_or("-".into(), short);
         let name = format!("{}: {}", p.name, p.text);

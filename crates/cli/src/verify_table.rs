@@ -1,8 +1,9 @@
 //! The statement and the results for a terminal.
 
+use crate::output::new_table;
 use crate::verify_results::{HypothesisResult, Results};
 use crate::verify_words::{as_it_is, bound, failing, nearest, needed, percent, stated_bound};
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::Table;
 use slideway_verify::Statement;
 use std::path::Path;
 
@@ -50,8 +51,7 @@ pub(crate) fn results(results: &Results, out: &Path) -> String {
 }
 
 fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    let mut table = new_table();
     table.set_header(header);
     table
 }

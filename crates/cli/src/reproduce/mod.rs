@@ -11,9 +11,9 @@ use crate::compare::compare;
 use crate::compared::CompareOptions;
 use crate::diagnostic::CliError;
 use crate::loaded::load;
-use crate::output::{Outcome, create, print, progress};
+use crate::output::{Outcome, create, new_table, print, progress};
 use crate::table::short;
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{CellAlignment, Table};
 use serde::Serialize;
 use slideway_lab::natural::{table_1, table_2};
 use slideway_lab::{Agreement, LabError, Published};
@@ -128,8 +128,7 @@ impl Reproduction {
     }
 
     fn table(&self) -> Table {
-        let mut table = Table::new();
-        table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+        let mut table = new_table();
         table.set_header(["source", "case", "quantity", "paper", "ours", "difference", "agrees", "remark"]);
         for row in &self.rows {
             table.add_row(row.cells());

@@ -38,13 +38,15 @@ pub(crate) struct Ranges {
 
 impl Ranges {
     /// Around a speed scenario: an arm set up within 3 degrees, encoders of 0.1 mrad, drives of 2 %, two samples of transport, a period
-    /// within a fifth.
-    pub(crate) fn of_speed(options: &VerifyOptions, joints: usize) -> Self {
+    /// within a fifth. Where no joint goes as far as 1 rad (1 m), `extent` is how far the farthest goes, and start and encoders are
+    /// finer in proportion: a motion of a tenth of a millimetre is not run on an arm that is 3 degrees off.
+    pub(crate) fn of_speed(options: &VerifyOptions, joints: usize, extent: f64) -> Self {
+        let fine = extent.min(1.0);
         Self::new(
             joints,
             [
-                (Kind::InitialError, options.initial_error.unwrap_or(0.05)),
-                (Kind::JointNoise, options.joint_noise.unwrap_or(1e-4)),
+                (Kind::InitialError, options.initial_error.unwrap_or(0.05 * fine)),
+                (Kind::JointNoise, options.joint_noise.unwrap_or(1e-4 * fine)),
                 (Kind::SpeedError, options.speed_error.unwrap_or(0.02)),
                 (Kind::Delay, options.delay.map_or(2.0, f64::from)),
                 (Kind::Jitter, options.jitter.unwrap_or(0.2)),
@@ -199,7 +201,7 @@ mod tests {
     use super::*;
 
     fn draws() -> Vec<Draw> {
-        let ranges = Ranges::of_speed(&VerifyOptions::default(), 6);
+        let ranges = Ranges::of_speed(&VerifyOptions::default(), 6, 2.0);
         (0..1000).map(|number| Draw::new(7, number, &ranges)).collect()
     }
 
@@ -233,7 +235,7 @@ mod tests {
 
     #[test]
     fn numbers_and_seeds_of_campaigns_lead_to_trials_of_their_own() {
-        let ranges = Ranges::of_speed(&VerifyOptions::default(), 2);
+        let ranges = Ranges::of_speed(&VerifyOptions::default(), 2, 2.0);
         assert_eq!(Draw::new(1, 4, &ranges), Draw::new(1, 4, &ranges));
         assert_ne!(Draw::new(1, 4, &ranges), Draw::new(1, 5, &ranges));
         assert_ne!(Draw::new(1, 4, &ranges), Draw::new(2, 4, &ranges));
@@ -242,7 +244,7 @@ mod tests {
     #[test]
     fn a_range_of_zero_leaves_its_kind_out() {
         let options = VerifyOptions { delay: Some(0), jitter: Some(0.0), ..VerifyOptions::default() };
-        let ranges = Ranges::of_speed(&options, 2);
+        let ranges = Ranges::of_speed(&options, 2, 2.0);
         for number in 0..100 {
             let table = Draw::new(1, number, &ranges).table();
             assert!(!table.contains_key("delay") && !table.contains_key("jitter"));

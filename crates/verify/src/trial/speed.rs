@@ -68,7 +68,7 @@ impl SpeedSubject {
         let subject = Self {
             observer: Observer::for_speed(scenario, &experiment, method)?,
             method,
-            ranges: Ranges::of_speed(&scenario.verify_options()?, experiment.joints()),
+            ranges: Ranges::of_speed(&scenario.verify_options()?, experiment.joints(), extent(&nominal)),
             limits: path.speed_lower.iter().zip(&path.speed_upper).map(|(lo, up)| [*lo, *up]).collect(),
             acceleration: path.acceleration,
             by_joints: follows_joints(scenario),
@@ -222,6 +222,16 @@ impl SpeedSubject {
         let misread = self.by_joints && (disturbances.joint_noise > 0.0 || disturbances.delay > 0);
         (of_time && misread && guarantee.rests_on.iter().any(|name| name == "settling")).then_some(SEEN)
     }
+}
+
+/// How far the joint goes that goes farthest in a run, rad (m).
+fn extent(trace: &Trace) -> f64 {
+    let range = |joint: usize| {
+        let ends = |[low, high]: [f64; 2], q: f64| [low.min(q), high.max(q)];
+        let [low, high] = trace.samples.iter().map(|s| s.q[joint]).fold([f64::INFINITY, f64::NEG_INFINITY], ends);
+        high - low
+    };
+    (0..trace.joints).map(range).fold(0.0, f64::max)
 }
 
 fn factor_range(trace: &Trace) -> Check {
