@@ -1,23 +1,20 @@
-use crate::disturbances::Disturbances;
-use crate::dynamic_limits::{ToolLimits, TorqueLimits};
 use crate::error::{Fault, LabError};
-use crate::joint_bounds::JointBounds;
-use crate::joint_curve::JointCurve;
-use crate::limit_reader::LimitReader;
+use crate::joint_path::placement::Placement;
 use crate::limits::EndRate;
+use crate::limits::dynamic_limits::{ToolLimits, TorqueLimits};
+use crate::limits::joint_bounds::JointBounds;
+use crate::limits::limit_reader::LimitReader;
+use crate::limits::position_limits::PositionLimits;
 use crate::path::CartesianPath;
-use crate::placement::Placement;
-use crate::position_limits::PositionLimits;
-use crate::reference::{Reference, ToolReference};
+use crate::path::joint_curve::JointCurve;
+use crate::path::reference::{Reference, ToolReference};
 use crate::robot::robot_key;
+use crate::run::disturbances::Disturbances;
 use crate::scenario::Scenario;
-use crate::scenario::number::Number;
+use crate::scenario::number::positive;
 use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, LookAheadTable, TaskName};
-use nalgebra::Translation3;
 use slideway_conditioner::{ParameterError, SpeedLimits};
-use slideway_robot::{
-    EulerAngles, InverseMethod, JointVector, Pose, RobotDescription, RobotError, SerialArm, Task, euler,
-};
+use slideway_robot::{EulerAngles, InverseMethod, JointVector, RobotDescription, RobotError, SerialArm, Task};
 
 /// A robot, a path and limits: everything the loop and the optimum need, validated.
 #[derive(Clone, Debug)]
@@ -180,12 +177,6 @@ fn reference<const N: usize>(scenario: &Scenario) -> Result<Reference<N>, LabErr
     Ok(Reference::Tool(tool))
 }
 
-/// The pose of tool coordinates `[x y z α β γ]`.
-pub(crate) fn pose(coordinates: &[f64; 6]) -> Pose {
-    let [x, y, z, alpha, beta, gamma] = *coordinates;
-    Pose::from_parts(Translation3::new(x, y, z), euler::rotation(&EulerAngles::new(alpha, beta, gamma)))
-}
-
 fn task(name: TaskName) -> Task {
     match name {
         TaskName::Pose => Task::Pose,
@@ -211,17 +202,6 @@ fn inverse_key(table: &InverseTable, error: &RobotError) -> &'static str {
         (InverseTable::TruncatedSvd { .. }, _) => "robot.inverse.truncated-svd.cutoff",
         _ => "robot.inverse",
     }
-}
-
-pub(crate) fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
-    if numbers.len() != N {
-        return Err(LabError::value(key, Fault::WrongLength { found: numbers.len(), expected: N }));
-    }
-    Ok(JointVector::from_fn(|i, _| numbers[i].0))
-}
-
-pub(crate) fn positive(key: &str, number: Number) -> Result<f64, LabError> {
-    if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
 }
 
 fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {

@@ -1,6 +1,6 @@
 use super::schema::PathDisturbancesTable;
-use crate::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, within};
 use crate::error::LabError;
+use crate::run::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, within};
 use slideway_conditioner::path::{ConstraintSample, Motion};
 
 /// What happens in a conditioned run and the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By

@@ -3,9 +3,9 @@ use super::disturbances::PathDisturbances;
 use super::schema::{ConditionerTable, ConditioningFile, LawTable, MarginTable, ReferenceTable, TrapTable, WalkTable};
 use super::trace::MAX_CONSTRAINTS;
 use crate::error::{Fault, LabError};
-use crate::position::PositionCurve;
+use crate::path::position::PositionCurve;
+use crate::path::waypoint_reader::Place;
 use crate::scenario::number::Number;
-use crate::waypoint_reader::Place;
 use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, TrapSettings, Walk};
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 
 use crate::scenario::number::Number;
 use crate::scenario::schema::{CompareTable, PositionTable};
-use crate::verify_options::PathVerifyTable;
+use crate::scenario::verify_options::PathVerifyTable;
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Deserialize)]

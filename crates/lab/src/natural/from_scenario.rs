@@ -1,8 +1,8 @@
 use super::problem::{NaturalProblem, PathPlace};
 use crate::error::{Fault, LabError};
 use crate::path::CartesianPath;
+use crate::path::reference::Reference;
 use crate::problem::Problem;
-use crate::reference::Reference;
 use crate::robot::{describe, robot_key};
 use crate::scenario::Scenario;
 use slideway_robot::augmented::SpeedFactor;

@@ -1,6 +1,6 @@
 use super::integrate::State;
-use crate::course::{Course, CourseSample};
 use crate::error::LabError;
+use crate::run::course::{Course, CourseSample};
 use nalgebra::SMatrix;
 use slideway_robot::{Dynamics, JointVector, RobotError};
 

@@ -3,10 +3,11 @@
 pub(crate) mod curves;
 pub(crate) mod number;
 pub(crate) mod schema;
+pub(crate) mod verify_options;
 
 use crate::error::{Fault, LabError};
-use crate::law::Method;
-use crate::verify_options::VerifyOptions;
+use crate::run::law::Method;
+use crate::scenario::verify_options::VerifyOptions;
 pub use schema::Expectation;
 use schema::ScenarioFile;
 use serde::de::DeserializeOwned;

@@ -1,7 +1,9 @@
 //! Numbers as people type them: `0.5`, `3`, `"pi / 2"`.
 
+use crate::error::{Fault, LabError};
 use crate::formula;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
+use slideway_robot::JointVector;
 use std::fmt;
 
 /// A finite number, or a constant expression in a string.
@@ -118,4 +120,17 @@ impl<'de> Deserialize<'de> for PerJointLimit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(PerJointVisitor)
     }
+}
+
+/// A number for each joint.
+pub(crate) fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
+    if numbers.len() != N {
+        return Err(LabError::value(key, Fault::WrongLength { found: numbers.len(), expected: N }));
+    }
+    Ok(JointVector::from_fn(|i, _| numbers[i].0))
+}
+
+/// A number above zero; NaN is none.
+pub(crate) fn positive(key: &str, number: Number) -> Result<f64, LabError> {
+    if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
 }

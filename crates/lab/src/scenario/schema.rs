@@ -2,8 +2,8 @@
 
 use super::curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::{Number, PerJointLimit};
-use crate::law::Method;
-use crate::verify_options::SpeedVerifyTable;
+use crate::run::law::Method;
+use crate::scenario::verify_options::SpeedVerifyTable;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

@@ -7,11 +7,11 @@ use crate::conditioning::{
     ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, check_conditioner,
     run_conditioner,
 };
-use crate::disturbances::Disturbances;
 use crate::error::LabError;
 use crate::experiment::Experiment;
-use crate::law::Method;
-use crate::metrics::MethodSummary;
+use crate::run::disturbances::Disturbances;
+use crate::run::law::Method;
+use crate::run::metrics::MethodSummary;
 use crate::scenario::{Scenario, ScenarioKind, scenario_kind};
 use toml::{Table, Value};
 

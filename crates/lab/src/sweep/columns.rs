@@ -1,7 +1,7 @@
 //! The numbers that a sweep keeps of a run: one list from which both the names and the values are read.
 
 use crate::conditioning::PathMethodSummary;
-use crate::metrics::MethodSummary;
+use crate::run::metrics::MethodSummary;
 
 /// One number of a summary.
 pub(crate) struct Column<S> {

@@ -1,10 +1,10 @@
-use crate::course::{Course, CourseSample, ProfilePoint};
 use crate::error::LabError;
 use crate::joint_path::JointPath;
 use crate::problem::Problem;
 use crate::robot::MAX_JOINTS;
-use crate::simulate::pad;
-use crate::trace::{Sample, Trace};
+use crate::run::course::{Course, CourseSample, ProfilePoint};
+use crate::run::simulate::pad;
+use crate::run::trace::{Sample, Trace};
 use slideway_robot::{Dynamics, JointVector};
 
 /// Use of a speed limit from which a joint counts as at it.

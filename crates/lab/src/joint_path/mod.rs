@@ -1,8 +1,12 @@
+pub(crate) mod placement;
+pub(crate) mod sampled;
+pub(crate) mod tracing;
+
 use crate::error::LabError;
-use crate::joint_curve::JointCurve;
+use crate::joint_path::tracing::{BEYOND, SMALLEST, configuration, derivatives, follow, is_singular, self_motion};
+use crate::path::joint_curve::JointCurve;
+use crate::path::reference::{Reference, ToolReference};
 use crate::problem::Problem;
-use crate::reference::{Reference, ToolReference};
-use crate::tracing::{BEYOND, SMALLEST, configuration, derivatives, follow, is_singular, self_motion};
 use slideway_robot::JointVector;
 
 /// The joint path that follows a tool path exactly, in smooth pieces.

@@ -87,14 +87,14 @@ impl PathVerifyTable {
 impl VerifyOptions {
     /// The greatest values that the table `[disturbances]` takes; NaN is beyond them.
     fn check(self) -> Result<Self, LabError> {
-        let noise = crate::disturbances::MOST_NOISE;
+        let noise = crate::run::disturbances::MOST_NOISE;
         for (key, value, most) in [
             ("initial_error", self.initial_error, 10.0),
             ("joint_noise", self.joint_noise, noise),
-            ("speed_error", self.speed_error, crate::disturbances::MOST_SPEED_ERROR),
+            ("speed_error", self.speed_error, crate::run::disturbances::MOST_SPEED_ERROR),
             ("distance_noise", self.distance_noise, noise),
-            ("delay", self.delay.map(f64::from), crate::disturbances::MOST_DELAY.into()),
-            ("jitter", self.jitter, crate::disturbances::MOST_JITTER),
+            ("delay", self.delay.map(f64::from), crate::run::disturbances::MOST_DELAY.into()),
+            ("jitter", self.jitter, crate::run::disturbances::MOST_JITTER),
         ] {
             if let Some(value) = value.filter(|value| !(0.0..=most).contains(value)) {
                 let fault = Fault::OutOfRange { value, least: 0.0, most };

@@ -1,8 +1,8 @@
-use crate::dynamic_limits::{ToolLimits, TorqueLimits};
 use crate::error::{Fault, LabError};
-use crate::joint_bounds::{BoundSigns, BoundTable, JointBounds};
 use crate::limits::EndRate;
-use crate::problem::positive;
+use crate::limits::dynamic_limits::{ToolLimits, TorqueLimits};
+use crate::limits::joint_bounds::{BoundSigns, BoundTable, JointBounds};
+use crate::scenario::number::positive;
 use crate::scenario::number::{LimitNumber, Number, PerJointLimit};
 use crate::scenario::schema::{DriveEffectName, LimitsTable, OwnName, TorqueTable};
 use slideway_conditioner::SpeedLimits;

@@ -2,10 +2,10 @@ use crate::curve::{CurveError, RotationPoint, RotationWaypoints, Slerp, Spacing,
 use crate::error::{Fault, LabError};
 use crate::formula::Formula;
 use crate::path::EulerPoint;
-use crate::position::{Curve3, evaluate, formulas};
+use crate::path::position::{Curve3, evaluate, formulas};
+use crate::path::waypoint_reader::{Place, rotation, vector};
 use crate::scenario::curves::{PointList, RotationTable};
 use crate::scenario::schema::OrientationTable;
-use crate::waypoint_reader::{Place, rotation, vector};
 use nalgebra::{Rotation3, Vector3};
 use slideway_robot::euler;
 use std::ops::Range;

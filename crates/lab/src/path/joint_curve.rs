@@ -1,9 +1,9 @@
 use crate::curve::{BlendedLines, CubicSpline};
 use crate::error::LabError;
 use crate::path::range;
-use crate::problem::joints;
+use crate::path::waypoint_reader::Place;
+use crate::scenario::number::joints;
 use crate::scenario::schema::{JointsTable, PathTable};
-use crate::waypoint_reader::Place;
 use slideway_robot::JointVector;
 use std::ops::Range;
 use std::path::Path;

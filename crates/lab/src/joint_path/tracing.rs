@@ -1,8 +1,8 @@
 //! Steps of tracing a joint path: following the tool path by inverse kinematics, and turning where it breaks.
 
 use crate::error::LabError;
+use crate::path::reference::ToolReference;
 use crate::problem::Problem;
-use crate::reference::ToolReference;
 use slideway_robot::{
     InverseMethod, JacobiSvd, JointVector, NumericIk, NumericIkSettings, RobotError, Task, solve_rates,
 };

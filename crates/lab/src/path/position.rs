@@ -1,8 +1,8 @@
 use crate::curve::{Arc, BlendedLines, CubicSpline};
 use crate::error::{Fault, LabError};
 use crate::formula::Formula;
+use crate::path::waypoint_reader::{Place, vector};
 use crate::scenario::schema::PositionTable;
-use crate::waypoint_reader::{Place, vector};
 use nalgebra::Vector3;
 
 /// Position along the path, m.

@@ -1,10 +1,17 @@
+pub(crate) mod joint_curve;
+pub(crate) mod orientation;
+pub(crate) mod poses;
+pub(crate) mod position;
+pub(crate) mod reference;
+pub(crate) mod waypoint_reader;
+
 use crate::error::{Fault, LabError};
-use crate::orientation::OrientationCurve;
-use crate::poses::PoseCurves;
-use crate::position::PositionCurve;
+use crate::path::orientation::OrientationCurve;
+use crate::path::poses::PoseCurves;
+use crate::path::position::PositionCurve;
+use crate::path::waypoint_reader::Place;
 use crate::scenario::number::Number;
 use crate::scenario::schema::{PathTable, TaskName};
-use crate::waypoint_reader::Place;
 use nalgebra::{Translation3, Vector3, Vector6};
 use slideway_robot::{EulerAngles, Pose, Twist};
 use std::ops::Range;

@@ -1,8 +1,8 @@
-use crate::acceleration::{AccelerationLaw, Sight};
-use crate::controller::Demand;
 use crate::error::{Fault, LabError};
 use crate::limits::EndRate;
 use crate::problem::Problem;
+use crate::run::acceleration::{AccelerationLaw, Sight};
+use crate::run::controller::Demand;
 use serde::{Deserialize, Serialize};
 use slideway_conditioner::{
     Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedCommand, SpeedLimits, SpeedRegulator, SpeedSettings,

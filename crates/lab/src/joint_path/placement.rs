@@ -1,11 +1,14 @@
 use crate::error::{Fault, LabError};
-use crate::problem::{Problem, joints, pose};
-use crate::reference::{Reference, ToolReference};
+use crate::path::reference::{Reference, ToolReference};
+use crate::problem::Problem;
 use crate::scenario::Scenario;
+use crate::scenario::number::joints;
 use crate::scenario::schema::{BranchTable, ElbowName, ShoulderName, StartTable, WristName};
+use nalgebra::Translation3;
 use nalgebra::Vector3;
 use slideway_robot::{
-    Branch, Elbow, JointVector, NumericIk, NumericIkSettings, Pose, Shoulder, SphericalWristIk, Wrist, euler,
+    Branch, Elbow, EulerAngles, JointVector, NumericIk, NumericIkSettings, Pose, Shoulder, SphericalWristIk, Wrist,
+    euler,
 };
 
 /// Finds where the robot stands at first, and the configuration on the path's first point.
@@ -119,4 +122,10 @@ fn branch(table: &BranchTable) -> Branch {
             WristName::Flip => Wrist::Flip,
         },
     }
+}
+
+/// The pose of tool coordinates `[x y z α β γ]`.
+pub(crate) fn pose(coordinates: &[f64; 6]) -> Pose {
+    let [x, y, z, alpha, beta, gamma] = *coordinates;
+    Pose::from_parts(Translation3::new(x, y, z), euler::rotation(&EulerAngles::new(alpha, beta, gamma)))
 }

@@ -2,10 +2,10 @@ use crate::curve::{
     BlendedLines, CubicSpline, CurveError, RotationWaypoints, Slerp, Spacing, Squad, Waypoints, unit_quaternion,
 };
 use crate::error::LabError;
-use crate::orientation::OrientationCurve;
-use crate::position::PositionCurve;
+use crate::path::orientation::OrientationCurve;
+use crate::path::position::PositionCurve;
+use crate::path::waypoint_reader::{Place, Rows, from_euler};
 use crate::scenario::curves::{PoseOrientationName, PosePositionTable, PosesTable};
-use crate::waypoint_reader::{Place, Rows, from_euler};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// Position and orientation through the same way-points at the same path parameters.

@@ -1,5 +1,5 @@
-use crate::law::Method;
-use crate::trace::{Sample, Trace};
+use crate::run::law::Method;
+use crate::run::trace::{Sample, Trace};
 use serde::{Deserialize, Serialize};
 
 /// The robot has arrived when the reference is at its end and the tool this near to it, m.
@@ -112,7 +112,7 @@ fn root_mean(samples: &[Sample], square: impl Fn(&Sample) -> f64) -> f64 {
 }
 
 fn chattering(moving: &[Sample]) -> Chattering {
-    let largest = |value: fn(&crate::trace::Chatter) -> f64| {
+    let largest = |value: fn(&crate::run::trace::Chatter) -> f64| {
         moving.iter().filter_map(|s| s.chatter.as_ref()).map(value).fold(0.0, f64::max)
     };
     Chattering {

@@ -1,3 +1,9 @@
+pub(crate) mod dynamic_limits;
+pub(crate) mod joint_bounds;
+pub(crate) mod limit_reader;
+pub(crate) mod limit_use;
+pub(crate) mod position_limits;
+
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,9 +1,9 @@
-use crate::controller::Demand;
 use crate::error::{Fault, LabError};
-use crate::law::{Decision, Situation};
 use crate::limits::EndRate;
-use crate::path_window::PathWindow;
 use crate::problem::Problem;
+use crate::run::controller::Demand;
+use crate::run::law::{Decision, Situation};
+use crate::run::path_window::PathWindow;
 use slideway_conditioner::acceleration::{
     AccelerationCommand, AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, LookAhead,
     LookAheadSettings, PathKeeping, Recovery,

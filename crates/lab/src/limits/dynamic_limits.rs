@@ -1,9 +1,9 @@
 use crate::error::LabError;
-use crate::joint_bounds::JointBounds;
 use crate::joint_path::JointPoint;
+use crate::limits::joint_bounds::JointBounds;
 use crate::limits::{LinearLimit, SpeedLimit};
+use crate::path::reference::Reference;
 use crate::problem::Problem;
-use crate::reference::Reference;
 use slideway_conditioner::SpeedLimits;
 use slideway_robot::{Dynamics, JointVector};
 

@@ -1,8 +1,8 @@
 use crate::error::LabError;
-use crate::joint_bounds::JointRange;
 use crate::limits::LimitKind;
+use crate::limits::joint_bounds::JointRange;
 use crate::problem::Problem;
-use crate::trace::{Sample, Trace};
+use crate::run::trace::{Sample, Trace};
 use serde::{Deserialize, Serialize};
 use slideway_robot::JointVector;
 

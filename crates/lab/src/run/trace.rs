@@ -1,5 +1,5 @@
-use crate::law::Method;
 use crate::robot::MAX_JOINTS;
+use crate::run::law::Method;
 use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
 use std::io;

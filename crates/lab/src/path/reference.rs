@@ -1,5 +1,5 @@
-use crate::joint_curve::JointCurve;
 use crate::path::CartesianPath;
+use crate::path::joint_curve::JointCurve;
 use slideway_robot::{InverseMethod, Task};
 
 /// What the robot is to follow: a path of its tool or of its joints.

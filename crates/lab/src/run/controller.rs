@@ -1,8 +1,8 @@
-use crate::joint_curve::JointCurve;
-use crate::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
 use crate::path::PathPoint;
+use crate::path::joint_curve::JointCurve;
+use crate::path::reference::{Reference, ToolReference};
 use crate::problem::Problem;
-use crate::reference::{Reference, ToolReference};
+use crate::run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
 use nalgebra::{Vector3, Vector6};
 use slideway_robot::{EulerAngles, JointKind, JointVector, Pose, Task, Twist, euler, rotation_vector, solve_rates};
 

@@ -1,10 +1,10 @@
-use crate::controller::Demand;
-use crate::disturbances::{World, displaced};
 use crate::error::LabError;
-use crate::law::{Decision, Law, Method, Situation};
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
-use crate::trace::{Chatter, Sample, Trace};
+use crate::run::controller::Demand;
+use crate::run::disturbances::{World, displaced};
+use crate::run::law::{Decision, Law, Method, Situation};
+use crate::run::trace::{Chatter, Sample, Trace};
 use slideway_conditioner::{AffineSpeed, Saturation, SpeedLimits, bounds};
 use slideway_robot::{EulerAngles, JointVector};
 

@@ -1,0 +1,12 @@
+//! One loop for every speed law: demand, decision, motion, trace, and what a run comes to.
+
+pub(crate) mod acceleration;
+pub(crate) mod controller;
+pub(crate) mod course;
+pub(crate) mod disturbances;
+pub(crate) mod law;
+pub(crate) mod metrics;
+pub(crate) mod motion;
+pub(crate) mod path_window;
+pub(crate) mod simulate;
+pub(crate) mod trace;
