@@ -99,6 +99,25 @@ fn lag_rates_and_band_of_the_loop_are_those_of_the_formulas() {
         // The quadratic has a larger root as well; the smaller one counts.
         (slow, 0.041_833_564_791_095_526, 1.784_612_829_827_311_2, 1.562_750_347_186_643_3, 1.668_141_856_567_205),
         (both_at_work, 16.0, 4.0, 4.0, 52.0),
+        // Gain steps below and above the filter step; the released entry of M decides in the first four.
+        (
+            FeedbackLoop { filter_step: 0.5, initial_lag: 0.25, ..LOOP },
+            0.527_864_045_000_420_5,
+            5.527_864_045_000_42,
+            3.055_728_090_000_841,
+            2.996_711_095_625_933,
+        ),
+        (
+            FeedbackLoop { filter_step: 0.5, curvature: 0.25, initial_lag: 0.25, ..LOOP },
+            0.25,
+            5.25,
+            2.5,
+            2.684_570_312_5,
+        ),
+        (FeedbackLoop { gain: 1.0, overspeed_max: 8.0, ..lagging }, 0.5, 4.25, 3.0, 3.269_531_25),
+        (FeedbackLoop { gain: 4.0, overspeed_max: 16.0, ..lagging }, 0.5, 4.25, 3.0, 5.4375),
+        (FeedbackLoop { gain: 1.0, ..lagging }, 0.5, 4.25, 3.0, 3.031_25),
+        (FeedbackLoop { filter_step: 0.125, gain: 4.0, overspeed_max: 2.0, ..lagging }, 0.5, 3.625, 3.0, 7.882_812_5),
         // A gain step above the filter step, and a filter too slow for the drift: the second entry of M decides.
         (FeedbackLoop { gain: 6.0, ..lagging }, 0.5, 4.25, 3.0, 4.734_375),
         (FeedbackLoop { filter_step: 0.01, ..lagging }, 0.5, 3.05, 3.0, 76.146_875),

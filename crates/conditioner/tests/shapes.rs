@@ -138,3 +138,55 @@ fn a_shape_has_an_empty_gradient_where_it_has_none() {
         assert!(sample.value > 0.0 && sample.gradient_rate.iter().all(|x| x.is_finite()));
     }
 }
+
+#[test]
+fn every_shape_is_zero_on_its_surface_and_measures_distance_where_it_is_one() {
+    let value =
+        |shape: &dyn Constraint<3>, position| shape.sample(&Motion { time: 0.0, position, velocity: [0.0; 3] }).value;
+    // Equal up to a few roundings of numbers of order 1.
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} instead of {b}");
+    for (side, sign) in [(Side::Inside, 1.0), (Side::Outside, -1.0)] {
+        // 3-4-5 and 5-12-13: distances 5 from the centre, 13 from the axis through (1, 2, *).
+        let ball = Ball::new([1.0, 1.0, -1.0], 2.0, side).expect("valid");
+        close(value(&ball, [4.0, 5.0, -1.0]), sign * 3.0);
+        let cylinder = Cylinder::new([1.0, 2.0, 7.0], &[0.0, 0.0, -4.0], 3.0, side).expect("valid");
+        close(value(&cylinder, [6.0, 14.0, -3.0]), sign * 10.0);
+        // h = |x - 1| / 2 on the axis through the centre, and the fourth root of 2 times 1/2 on a diagonal.
+        let smooth = SmoothBox::new([1.0, -1.0, 2.0], [2.0, 4.0, 0.5], 4.0, 3.0, side).expect("valid");
+        close(value(&smooth, [7.0, -1.0, 2.0]), sign * 6.0);
+        close(value(&smooth, [2.0, 1.0, 2.0]), sign * 3.0 * (0.5 * 2.0_f64.powf(0.25) - 1.0));
+    }
+    let plane = HalfSpace::new(&[0.0, 3.0, 4.0], 2.0).expect("valid");
+    close(value(&plane, [9.0, 5.0, 5.0]), 5.0);
+    let one = Polytope::new(&[[0.0, 2.0, 0.0]], [0.5], 10.0, Side::Inside).expect("valid");
+    close(value(&one, [9.0, 1.25, 0.0]), 0.75);
+}
+
+#[test]
+fn a_moving_shape_is_where_its_trajectory_says() {
+    let shape = || Ball::new([0.0; 3], 1.0, Side::Inside).expect("valid");
+    let at = Motion { time: 0.5, position: [4.0, 0.0, 0.0], velocity: [0.0; 3] };
+    // ω t + ψ = π/2 + π/6: the sine is cos(π/6).
+    let (frequency, phase) = (std::f64::consts::PI, std::f64::consts::FRAC_PI_6);
+    let swing = Oscillation { amplitude: [2.0, 0.0, 0.0], frequency, phase };
+    let swung = Moving { shape: shape(), trajectory: swing }.sample(&at);
+    assert!((swung.value - (3.0 - 3.0_f64.sqrt())).abs() < 1e-14, "{swung:?}");
+    // 4 - (2 t + 8 t²/2) = 2 with t = 1/2: distance 2 from the centre; it comes nearer at 2 + 8 t = 6.
+    let drift = UniformMotion { velocity: [2.0, 0.0, 0.0], acceleration: [8.0, 0.0, 0.0] };
+    let drifted = Moving { shape: shape(), trajectory: drift }.sample(&at);
+    assert!((drifted.value - 1.0).abs() < 1e-14 && (drifted.time_rate + 6.0).abs() < 1e-13, "{drifted:?}");
+}
+
+#[test]
+fn a_refusal_says_which_parameter_counted_from_one() {
+    let words = [
+        (ShapeParameter::Coordinate(0), "coordinate 1"),
+        (ShapeParameter::Direction(1), "direction component 2"),
+        (ShapeParameter::SemiAxis(2), "semi-axis 3"),
+        (ShapeParameter::Weight(0), "weight 1"),
+        (ShapeParameter::Radius, "radius"),
+    ];
+    for (parameter, said) in words {
+        assert_eq!(parameter.to_string(), said);
+    }
+}
