@@ -4,7 +4,7 @@ use slideway_conditioner::bounds::{
     FeedbackLoop, chattering_bound, chattering_estimate, delayed_frozen_band, drifting_band,
     drifting_band_with_feedback, frozen_band, frozen_band_with_feedback, switches_by, time_bracket,
 };
-use slideway_conditioner::path::bounds as path;
+use slideway_conditioner::path::{bounds as path, largest_step_count};
 
 /// Equal up to a few roundings and what the functions add for theirs: 1e-13 of `1 + E`, thirty times that of an `E` of 0.04.
 fn close(a: f64, b: f64) -> bool {
@@ -220,4 +220,20 @@ fn bands_of_the_path_conditioner_are_push_and_drift() {
     assert!(close(path::recovery_time(0.5, 0.25, 0.5, 2.0), 1.5 + 2.0 * 3.0_f64.ln()));
     assert_eq!(path::recovery_time(0.5, 0.0, 0.5, 2.0), f64::INFINITY);
     assert_eq!((path::required_gain(&[-1.0, 3.0, 2.0]), path::required_gain(&[-1.0])), (3.0, 0.0));
+}
+
+#[test]
+fn a_push_moves_phi_by_the_step_response_of_its_filter() {
+    // Butterworth with poles -s ± j s, s = cutoff / √2: where s T = π/2 the rotation is a quarter turn, so that the position is
+    // 1 - exp(-π/2) and the velocity 2 s exp(-π/2).
+    let (half_pi, root_two) = (std::f64::consts::FRAC_PI_2, std::f64::consts::SQRT_2);
+    let push = path::push_per_sample(0.5, root_two * std::f64::consts::PI, 0.25);
+    assert!(close(push, 1.0 + (-half_pi).exp() * (half_pi - 1.0)), "{push}");
+}
+
+#[test]
+fn the_active_set_ends_within_a_step_for_every_set_and_member() {
+    assert_eq!([0, 1, 3].map(largest_step_count), [1, 4, 32]);
+    assert_eq!(largest_step_count(24), 25 << 24);
+    assert_eq!([63, 64, 100].map(largest_step_count), [64 << 24, 64 << 24, 64 << 24]);
 }
