@@ -197,3 +197,32 @@ fn the_readme_documents_the_very_templates() {
     assert!(include_str!("../README.md").contains(slideway_lab::TEMPLATE));
     assert!(include_str!("../README.md").contains(slideway_lab::CONDITIONING_TEMPLATE));
 }
+
+#[test]
+fn a_disturbed_run_says_by_what() {
+    let folder = tempfile::tempdir().expect("folder");
+    let show = |name| stdout(&slideway(folder.path(), &["show", name]));
+    let speed = "\n[disturbances]\nspeed_error = [0.07, -0.01]\ndelay = 2\n";
+    let path = "\n[disturbances]\ndistance_noise = 1e-4\n";
+    for (name, table, said) in [
+        (
+            "planar-line",
+            speed,
+            "the runs are disturbed: drives off by up to 7 %, measurements late by 2 samples; the optimum is not",
+        ),
+        (
+            "trap-ellipsoid",
+            path,
+            "forms are disturbed: measured distances off by up to 0.0001 m; the other methods' are not",
+        ),
+    ] {
+        let file = folder.path().join("disturbed.toml");
+        std::fs::write(&file, show(name) + table).expect("written");
+        let output = slideway(folder.path(), &["compare", "disturbed.toml"]);
+        assert!(stdout(&output).contains(said), "{}", stdout(&output));
+        let summary = std::fs::read_to_string(folder.path().join("out/disturbed/summary.json")).expect("summary");
+        assert!(json(&summary)["disturbances"].is_object());
+    }
+    let plain = slideway(folder.path(), &["compare", "planar-line", "--json"]);
+    assert!(json(&stdout(&plain))["disturbances"].is_null());
+}

@@ -77,6 +77,7 @@ fn summarise(
         verdict: PathVerdict::new(&methods, &constraints, tolerance),
         constraints,
         methods,
+        disturbances: Some(problem.disturbances).filter(|d| !d.are_none()),
         projection: projected.map(ProjectionEntry::new),
         convergence,
     }

@@ -126,6 +126,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
         spare_joints: experiment.spare_joints(),
         position_excesses,
+        disturbances: Some(experiment.disturbances().clone()).filter(|d| !d.are_none()),
         look_ahead: Vec::new(),
         verdict,
     })

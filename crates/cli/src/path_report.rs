@@ -58,13 +58,21 @@ pub(crate) fn table(summary: &PathSummary) -> String {
         column.set_cell_alignment(CellAlignment::Right);
     }
     format!(
-        "{} - {}\nconstraints: {}\n{table}\n\n{}\n{NOTE}\n\n{}\n",
+        "{} - {}\nconstraints: {}\n{table}\n\n{}\n{NOTE}\n{}\n{}\n",
         summary.scenario,
         summary.description,
         summary.constraints.join(" | "),
         audit(summary),
+        disturbed(summary),
         summary.verdict.sentence
     )
+}
+
+/// A line about what disturbed the conditioner's runs, if anything did.
+fn disturbed(summary: &PathSummary) -> String {
+    let words =
+        |d| format!("note: the runs of the conditioner's forms are disturbed: {d}; the other methods' are not\n");
+    summary.disturbances.map(words).unwrap_or_default()
 }
 
 /// How the projection was found, and the audit of the sliding mode.

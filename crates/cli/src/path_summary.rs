@@ -1,7 +1,7 @@
 use crate::convergence::Convergence;
 use serde::Serialize;
 use slideway_baselines::rivals::ProjectedTrace;
-use slideway_lab::conditioning::{PathMethod, PathMethodSummary};
+use slideway_lab::conditioning::{PathDisturbances, PathMethod, PathMethodSummary};
 
 /// What `summary.json` holds for path conditioning. Times in s, lengths in m.
 #[derive(Clone, Debug, Serialize)]
@@ -14,6 +14,8 @@ pub(crate) struct PathSummary {
     pub(crate) constraints: Vec<String>,
     /// One entry per method.
     pub(crate) methods: Vec<PathMethodSummary>,
+    /// What disturbed the runs of the conditioner's forms; null where nothing did.
+    pub(crate) disturbances: Option<PathDisturbances>,
     /// How the projection was found, and how good it is.
     pub(crate) projection: Option<ProjectionEntry>,
     /// Distance of the sliding mode from the QP path against the sampling period; empty with trap avoidance.

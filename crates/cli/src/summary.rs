@@ -5,7 +5,7 @@ use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{Effort, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
+use slideway_lab::{Disturbances, Effort, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -32,6 +32,8 @@ pub(crate) struct Summary {
     pub(crate) spare_joints: usize,
     /// Joints that leave their position ranges along the path.
     pub(crate) position_excesses: Vec<PositionExcess>,
+    /// What disturbed the methods' runs; null where nothing did. The optimum is that of the undisturbed problem.
+    pub(crate) disturbances: Option<Disturbances>,
     /// The look-ahead with windows of several lengths; empty without acceleration limits.
     pub(crate) look_ahead: Vec<WindowEntry>,
     /// The verdict.
@@ -113,7 +115,7 @@ impl From<Violation> for BetweenNodes {
 }
 
 impl Summary {
-    /// Remarks on the joint path, in words.
+    /// Remarks on the joint path and the runs, in words.
     pub(crate) fn notes(&self) -> Vec<String> {
         let spare = (self.spare_joints > 0).then(|| {
             format!(
@@ -123,7 +125,8 @@ impl Summary {
             )
         });
         let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
-        spare.into_iter().chain(self.position_excesses.iter().map(outside)).collect()
+        let disturbed = self.disturbances.as_ref().map(|d| format!("the runs are disturbed: {d}; the optimum is not"));
+        spare.into_iter().chain(self.position_excesses.iter().map(outside)).chain(disturbed).collect()
     }
 }
 

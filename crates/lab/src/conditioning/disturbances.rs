@@ -1,7 +1,9 @@
 use super::schema::PathDisturbancesTable;
 use crate::error::LabError;
-use crate::run::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, within};
+use crate::run::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, in_words, within};
+use serde::Serialize;
 use slideway_conditioner::path::{ConstraintSample, Motion};
+use std::fmt;
 
 /// What happens in a conditioned run and the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By
 /// default nothing.
@@ -9,7 +11,7 @@ use slideway_conditioner::path::{ConstraintSample, Motion};
 /// They concern the forms of the conditioner; the methods that it is compared with run without. The conditioned position is the
 /// conditioner's own output and needs no measurement: what it is told about the constraints does. A trace tells the truth: `σ` and
 /// `φ` are those of the constraints as they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PathDisturbances {
     /// Seed of noise and jitter, which draw from sequences of their own.
     pub seed: u64,
@@ -22,6 +24,20 @@ pub struct PathDisturbances {
     /// Share of the sampling period by which a period may be longer or shorter, uniform: it lasts `T (1 + jitter r)` with `r` in [-1, 1),
     /// while the conditioner counts on `T`. Reference and constraints go on by what it lasted.
     pub jitter: f64,
+}
+
+impl fmt::Display for PathDisturbances {
+    /// What disturbs the runs, in words, apart from the seed.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let off = self.initial_error.iter().map(|e| e * e).sum::<f64>().sqrt();
+        let words = [
+            (off, "start off by {} m"),
+            (self.distance_noise, "measured distances off by up to {} m"),
+            (f64::from(self.delay), "constraints seen late by {} samples"),
+            (100.0 * self.jitter, "periods off by up to {} %"),
+        ];
+        in_words(f, &words)
+    }
 }
 
 impl PathDisturbances {

@@ -2,15 +2,17 @@ use crate::error::{Fault, LabError};
 use crate::scenario::schema::DisturbancesTable;
 use rand::{RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
+use serde::Serialize;
 use slideway_robot::JointVector;
 use std::collections::VecDeque;
+use std::fmt;
 
 /// What happens in a run and the controller does not know of: the table `[disturbances]` of a speed scenario. By default nothing.
 ///
 /// Optimum, certificate and what is known in advance stay those of the undisturbed problem; so do constant speed and natural
 /// motion, in which the arm is exactly on the path. A trace tells the truth: positions, errors, times and arrival are those of the robot
 /// itself, the demand is what the controller made of what it saw.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Disturbances {
     /// Seed of noise and jitter, which draw from sequences of their own.
     pub seed: u64,
@@ -35,6 +37,30 @@ pub(crate) const MOST_SPEED_ERROR: f64 = 0.99;
 pub(crate) const MOST_DELAY: u32 = 1000;
 /// Time goes forwards.
 pub(crate) const MOST_JITTER: f64 = 0.99;
+
+impl fmt::Display for Disturbances {
+    /// What disturbs the runs, in words, apart from the seed.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let largest = |list: &[f64]| list.iter().fold(0.0_f64, |most, e| most.max(e.abs()));
+        let words = [
+            (largest(&self.initial_error), "start off by up to {} rad (m)"),
+            (self.joint_noise, "measured joints off by up to {} rad (m)"),
+            (100.0 * largest(&self.speed_error), "drives off by up to {} %"),
+            (f64::from(self.delay), "measurements late by {} samples"),
+            (100.0 * self.jitter, "periods off by up to {} %"),
+        ];
+        in_words(f, &words)
+    }
+}
+
+/// The phrases whose number is not zero, with the number in place of `{}`.
+pub(crate) fn in_words(f: &mut fmt::Formatter<'_>, words: &[(f64, &str)]) -> fmt::Result {
+    let there = words.iter().filter(|(number, _)| *number != 0.0);
+    // Percentages are rounded products: nine decimals are more than anyone types.
+    let shown = |number: f64| ((number * 1e9).round() / 1e9).to_string();
+    let phrases: Vec<String> = there.map(|(number, phrase)| phrase.replace("{}", &shown(*number))).collect();
+    f.write_str(&phrases.join(", "))
+}
 
 impl Disturbances {
     /// Whether there are none.
