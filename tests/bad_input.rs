@@ -1,13 +1,10 @@
 //! Wrong input: every error names the file and the line, says what is wrong and what to do, and exits with 2.
 
+mod support;
+
 use proptest::prelude::*;
 use slideway_lab::{Experiment, Scenario};
-use std::path::Path;
-use std::process::{Command, Output};
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
+use support::slideway;
 
 fn template() -> String {
     slideway_lab::TEMPLATE.to_owned()

@@ -1,19 +1,9 @@
 //! The commands `slideway claims` and `slideway attack`, in an empty folder.
 
+mod support;
+
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn json(text: &str) -> serde_json::Value {
-    serde_json::from_str(text).expect("valid JSON")
-}
+use support::{json, slideway, stdout};
 
 #[test]
 fn claims_prints_the_ledger_of_one_claim_with_its_margins() {

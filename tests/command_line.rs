@@ -1,19 +1,8 @@
 //! The `slideway` command as a newcomer uses it, in an empty folder.
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod support;
 
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn json(text: &str) -> serde_json::Value {
-    serde_json::from_str(text).expect("valid JSON")
-}
+use support::{json, slideway, stdout};
 
 #[test]
 fn compare_writes_everything_it_promises_and_the_verdict_holds() {

@@ -1,12 +1,10 @@
 //! Path conditioning through the command: the figures of [G12]'s examples, user files, wrong input.
 
+mod support;
+
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
+use support::slideway;
 
 fn compare(folder: &Path, scenario: &str) -> (i32, Value) {
     let output = slideway(folder, &["compare", scenario, "--json"]);

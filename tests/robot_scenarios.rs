@@ -1,12 +1,10 @@
 //! Scenarios with robots of every kind: built in, from URDF files, sliding joints, seven joints.
 
+mod support;
+
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
+use support::slideway;
 
 /// A folder with a scenario in `scenarios/` and the URDF fixtures in `robots/`: paths are relative to the scenario file.
 fn folder(scenario: &str) -> tempfile::TempDir {

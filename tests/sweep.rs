@@ -1,13 +1,11 @@
 //! Sweeps: the same rows for any number of jobs and interruptions, failures counted, wrong input pointed out.
 
+mod support;
+
 use slideway_lab::sweep::quantile;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
+use support::{json, slideway};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("folder")
@@ -26,10 +24,6 @@ fn sweep(folder: &Path, arguments: &[&str], status: i32) -> String {
 
 fn read(folder: &Path, file: &str) -> String {
     std::fs::read_to_string(folder.join(file)).expect("written by the sweep")
-}
-
-fn json(text: &str) -> serde_json::Value {
-    serde_json::from_str(text).expect("valid JSON")
 }
 
 /// A cheap study: samples five times as far apart as the built-in scenario's.

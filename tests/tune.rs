@@ -1,15 +1,8 @@
 //! `slideway tune` as a user meets it.
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod support;
 
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
+use support::{slideway, stdout};
 
 #[test]
 fn a_proposal_is_written_as_a_scenario_that_keeps_its_comments() {

@@ -3,20 +3,18 @@
 //!
 //! Most journals here are written by the tests themselves: what the command makes of trials does not depend on who made them.
 
+mod support;
+
 use quick_xml::events::Event;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Output};
+use support::slideway;
 
 /// A scenario whose trials are short.
 const SCENARIO: &str = "planar-line";
 /// Everything that a campaign leaves and that must not depend on how it was run.
 const RESULTS: [&str; 3] = ["verify.json", "junit.xml", "report.html"];
-
-fn slideway(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_slideway")).args(arguments).current_dir(folder).output().expect("runs")
-}
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("folder")
