@@ -35,6 +35,16 @@ impl Task {
         }
         selected
     }
+
+    /// A Jacobian with the rows outside the task set to zero.
+    #[must_use]
+    pub fn select_rows<const N: usize>(self, jacobian: &Jacobian<N>) -> Jacobian<N> {
+        let mut selected = Jacobian::<N>::zeros();
+        for &row in self.rows() {
+            selected.set_row(row, &jacobian.row(row));
+        }
+        selected
+    }
 }
 
 /// How a tool twist becomes joint speeds.
@@ -91,10 +101,7 @@ pub fn solve_rates<const N: usize>(
     jacobian: &Jacobian<N>,
     twist: &Twist,
 ) -> JointVector<N> {
-    let mut rows = Jacobian::<N>::zeros();
-    for &row in task.rows() {
-        rows.set_row(row, &jacobian.row(row));
-    }
+    let rows = task.select_rows(jacobian);
     let twist = task.select(twist);
     match method {
         InverseMethod::Adjugate { epsilon } => adjugate_solve(&rows, task, &twist, epsilon),
@@ -151,16 +158,5 @@ pub fn adjugate(matrix: &Matrix6<f64>) -> Matrix6<f64> {
 }
 
 fn truncated_solve<const N: usize>(rows: &Jacobian<N>, twist: &Twist, cutoff: f64) -> JointVector<N> {
-    let Some(svd) = JacobiSvd::new(rows) else {
-        return JointVector::from_element(f64::NAN);
-    };
-    let mut speeds = JointVector::<N>::zeros();
-    for k in 0..N {
-        let sigma = svd.singular_value(k);
-        if sigma > cutoff {
-            // v (u·x) / σ, with the column holding σ u.
-            speeds += svd.v.column(k) * (svd.scaled.column(k).dot(twist) / (sigma * sigma));
-        }
-    }
-    speeds
+    JacobiSvd::new(rows).map_or_else(|| JointVector::from_element(f64::NAN), |svd| svd.solve(twist, cutoff))
 }

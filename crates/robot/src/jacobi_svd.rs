@@ -1,4 +1,4 @@
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 /// Singular value decomposition of a Jacobian by one-sided Jacobi rotations.
 ///
@@ -45,6 +45,20 @@ impl<const N: usize, const ROWS: usize> JacobiSvd<N, ROWS> {
     #[must_use]
     pub fn singular_value(&self, k: usize) -> f64 {
         self.scaled.column(k).norm()
+    }
+
+    /// `J⁺ b` from the singular values above `cutoff`: `Σ v_k (u_k · b) / σ_k`, the least-norm least-squares solution.
+    #[must_use]
+    pub fn solve(&self, b: &SVector<f64, ROWS>, cutoff: f64) -> SVector<f64, N> {
+        let mut x = SVector::<f64, N>::zeros();
+        for k in 0..N {
+            let sigma = self.singular_value(k);
+            if sigma > cutoff {
+                // v (u·b) / σ, with the column holding σ u.
+                x += self.v.column(k) * (self.scaled.column(k).dot(b) / (sigma * sigma));
+            }
+        }
+        x
     }
 
     /// Rotates columns `p` and `q` to be orthogonal; whether there was anything to do.

@@ -30,7 +30,13 @@ impl<const N: usize> SerialArm<N> {
     /// The part of the tool's acceleration that is there without joint acceleration: `J̇ q̇`, m/s² and rad/s².
     #[must_use]
     pub fn bias_acceleration(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Twist {
-        self.jacobian_rate(q, qd) * qd
+        self.bias_acceleration_at(&self.frames(q), qd)
+    }
+
+    /// As [`SerialArm::bias_acceleration`], from frames already computed by [`SerialArm::frames`].
+    #[must_use]
+    pub fn bias_acceleration_at(&self, frames: &LinkFrames<N>, qd: &JointVector<N>) -> Twist {
+        self.jacobian_rate_at(frames, qd) * qd
     }
 
     /// How the Jacobian changes while the joints move: `J̇`, the derivative of [`SerialArm::jacobian`] along `q̇`.
@@ -39,9 +45,14 @@ impl<const N: usize> SerialArm<N> {
     /// `d/dt [z × (p - o)] = ż × (p - o) + z × (ṗ - ȯ)`.
     #[must_use]
     pub fn jacobian_rate(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Jacobian<N> {
-        let frames = self.frames(q);
+        self.jacobian_rate_at(&self.frames(q), qd)
+    }
+
+    /// As [`SerialArm::jacobian_rate`], from frames already computed by [`SerialArm::frames`].
+    #[must_use]
+    pub fn jacobian_rate_at(&self, frames: &LinkFrames<N>, qd: &JointVector<N>) -> Jacobian<N> {
         let tip = frames.tool.translation.vector;
-        let tip_velocity: Vector3<f64> = (self.jacobian_at(&frames) * qd).fixed_rows::<3>(0).into_owned();
+        let tip_velocity: Vector3<f64> = (self.jacobian_at(frames) * qd).fixed_rows::<3>(0).into_owned();
         let mut rate = Jacobian::<N>::zeros();
         // Angular velocity of the link before joint i, and velocity of that joint's origin.
         let (mut omega, mut origin_velocity) = (Vector3::zeros(), Vector3::zeros());

@@ -7,13 +7,8 @@ use crate::{JacobiSvd, Jacobian, Task};
 /// that squaring the Jacobian would lose.
 #[must_use]
 pub fn manipulability<const N: usize>(task: Task, jacobian: &Jacobian<N>) -> f64 {
-    let rows = task.rows();
-    let mut selected = Jacobian::<N>::zeros();
-    for &row in rows {
-        selected.set_row(row, &jacobian.row(row));
-    }
-    let Some(svd) = JacobiSvd::new(&selected) else { return f64::NAN };
+    let Some(svd) = JacobiSvd::new(&task.select_rows(jacobian)) else { return f64::NAN };
     let mut values: Vec<f64> = (0..N).map(|k| svd.singular_value(k)).collect();
     values.sort_by(|a, b| b.total_cmp(a));
-    values[..rows.len().min(N)].iter().product()
+    values[..task.rows().len().min(N)].iter().product()
 }

@@ -1,4 +1,4 @@
-use crate::{Jacobian, JointVector, Pose, RobotError, SerialArm, Task, Twist, rotation_vector};
+use crate::{JointVector, LinkFrames, Pose, RobotError, SerialArm, Task, Twist, rotation_vector};
 use nalgebra::Matrix6;
 
 /// When the numeric inverse kinematics stops.
@@ -20,6 +20,13 @@ impl Default for NumericIkSettings {
 
 /// Keeps the normal equations positive definite at an exact singularity: rounding of `J Jᵀ`, whose entries are of size 1.
 const SMALLEST_DAMPING: f64 = 1e-15;
+
+/// A joint position on the way to the answer, and what is known there.
+struct Iterate<const N: usize> {
+    q: JointVector<N>,
+    frames: LinkFrames<N>,
+    error: Twist,
+}
 
 /// Numeric inverse kinematics by Levenberg-Marquardt steps from a seed: any arm, any task.
 ///
@@ -49,40 +56,47 @@ impl<'a, const N: usize> NumericIk<'a, N> {
     ///
     /// [`RobotError::NotConverged`] with the error that is left.
     pub fn solve(&self, pose: &Pose, seed: &JointVector<N>) -> Result<JointVector<N>, RobotError> {
-        let mut q = *seed;
-        let mut error = self.error(pose, &q);
+        let mut at = self.iterate(pose, *seed);
         // Damping in proportion to the squared error (Sugihara 2011): far away it keeps the step small where the arm is
         // nearly singular, close by it vanishes and the steps become Newton's.
         let mut boost = 1.0;
         for _ in 0..self.settings.max_iterations {
-            if self.small(&error) {
-                return Ok(self.polish(pose, q, error));
+            if self.small(&at.error) {
+                return Ok(self.polish(pose, &at));
             }
-            let damping = boost * 0.5 * error.norm_squared() + SMALLEST_DAMPING;
-            let trial = q + self.step(&self.arm.jacobian(&q), &error, damping);
-            let trial_error = self.error(pose, &trial);
-            if trial_error.norm() < error.norm() {
-                (q, error) = (trial, trial_error);
+            let damping = boost * 0.5 * at.error.norm_squared() + SMALLEST_DAMPING;
+            let trial = self.iterate(pose, at.q + self.step(&at, damping));
+            if trial.error.norm() < at.error.norm() {
+                at = trial;
                 boost = (boost * 0.1_f64).max(1e-3);
-            } else if boost > 1e12 || !trial_error.iter().all(|e| e.is_finite()) {
+            } else if boost > 1e12 || !trial.error.iter().all(|e| e.is_finite()) {
                 break;
             } else {
                 boost *= 10.0;
             }
         }
-        if self.small(&error) {
-            return Ok(q);
+        if self.small(&at.error) {
+            return Ok(at.q);
         }
         Err(RobotError::NotConverged {
-            position_error: error.fixed_rows::<3>(0).norm(),
-            orientation_error: error.fixed_rows::<3>(3).norm(),
+            position_error: at.error.fixed_rows::<3>(0).norm(),
+            orientation_error: at.error.fixed_rows::<3>(3).norm(),
             iterations: self.settings.max_iterations,
         })
     }
 
+    fn iterate(&self, pose: &Pose, q: JointVector<N>) -> Iterate<N> {
+        let frames = self.arm.frames(&q);
+        let error = self.error_of(pose, &frames.tool);
+        Iterate { q, frames, error }
+    }
+
     /// Task error as a twist: linear part in m, angular part as the rotation vector from tool to target in rad.
     pub fn error(&self, pose: &Pose, q: &JointVector<N>) -> Twist {
-        let tool = self.arm.forward(q);
+        self.error_of(pose, &self.arm.forward(q))
+    }
+
+    fn error_of(&self, pose: &Pose, tool: &Pose) -> Twist {
         let linear = pose.translation.vector - tool.translation.vector;
         let angular = rotation_vector(&(pose.rotation * tool.rotation.inverse()));
         self.task.select(&Twist::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z))
@@ -94,18 +108,15 @@ impl<'a, const N: usize> NumericIk<'a, N> {
     }
 
     /// One more nearly undamped step, kept if it helps: takes the error from the tolerance to rounding.
-    fn polish(&self, pose: &Pose, q: JointVector<N>, error: Twist) -> JointVector<N> {
-        let better = q + self.step(&self.arm.jacobian(&q), &error, SMALLEST_DAMPING);
-        if self.error(pose, &better).norm() < error.norm() { better } else { q }
+    fn polish(&self, pose: &Pose, at: &Iterate<N>) -> JointVector<N> {
+        let better = at.q + self.step(at, SMALLEST_DAMPING);
+        if self.error(pose, &better).norm() < at.error.norm() { better } else { at.q }
     }
 
     /// `Δq = Jᵀ (J Jᵀ + μ I)⁻¹ e`, the damped least-squares step on the task's rows.
-    fn step(&self, jacobian: &Jacobian<N>, error: &Twist, damping: f64) -> JointVector<N> {
-        let mut rows = Jacobian::<N>::zeros();
-        for &row in self.task.rows() {
-            rows.set_row(row, &jacobian.row(row));
-        }
+    fn step(&self, at: &Iterate<N>, damping: f64) -> JointVector<N> {
+        let rows = self.task.select_rows(&self.arm.jacobian_at(&at.frames));
         let gram = rows * rows.transpose() + Matrix6::from_diagonal_element(damping);
-        gram.cholesky().map_or_else(JointVector::zeros, |c| rows.transpose() * c.solve(error))
+        gram.cholesky().map_or_else(JointVector::zeros, |c| rows.transpose() * c.solve(&at.error))
     }
 }

@@ -3,9 +3,7 @@
 use crate::error::LabError;
 use crate::path::reference::ToolReference;
 use crate::problem::Problem;
-use slideway_robot::{
-    InverseMethod, JacobiSvd, JointVector, NumericIk, NumericIkSettings, RobotError, Task, solve_rates,
-};
+use slideway_robot::{JacobiSvd, JointVector, NumericIk, NumericIkSettings, RobotError, Task, Twist};
 
 /// Largest joint change between neighbouring configurations while tracing, rad.
 const MAX_STEP: f64 = 0.02;
@@ -89,12 +87,14 @@ pub(crate) fn derivatives<const N: usize>(
     q: &JointVector<N>,
 ) -> (JointVector<N>, JointVector<N>) {
     let point = tool.path.at(lambda);
-    let jacobian = problem.arm.jacobian(q);
+    let frames = problem.arm.frames(q);
+    let Some(svd) = JacobiSvd::new(&tool.task.select_rows(&problem.arm.jacobian_at(&frames))) else {
+        return (JointVector::from_element(f64::NAN), JointVector::from_element(f64::NAN));
+    };
     // A cutoff at rounding level: the exact inverse wherever there is one.
-    let method = InverseMethod::TruncatedSvd { cutoff: 1e-13 };
-    let first = solve_rates(method, tool.task, &jacobian, &point.twist);
-    let bias = problem.arm.bias_acceleration(q, &first);
-    let second = solve_rates(method, tool.task, &jacobian, &(point.acceleration - bias));
+    let rates = |twist: &Twist| svd.solve(&tool.task.select(twist), 1e-13);
+    let first = rates(&point.twist);
+    let second = rates(&(point.acceleration - problem.arm.bias_acceleration_at(&frames, &first)));
     (first, second)
 }
 
@@ -110,12 +110,9 @@ fn weakest_direction<const N: usize>(
     task: Task,
     q: &JointVector<N>,
 ) -> (f64, f64, JointVector<N>) {
-    let full = problem.arm.jacobian(q);
-    let mut rows = slideway_robot::Jacobian::<N>::zeros();
-    for &row in task.rows() {
-        rows.set_row(row, &full.row(row));
-    }
-    let Some(svd) = JacobiSvd::new(&rows) else { return (0.0, 1.0, JointVector::zeros()) };
+    let Some(svd) = JacobiSvd::new(&task.select_rows(&problem.arm.jacobian(q))) else {
+        return (0.0, 1.0, JointVector::zeros());
+    };
     let mut order: Vec<(f64, usize)> = (0..N).map(|k| (svd.singular_value(k), k)).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0));
     let (smallest, index) = order[task.rows().len().min(N) - 1];

@@ -1,7 +1,6 @@
 use crate::{JointState, MotionError};
 use slideway_robot::{
-    InverseMethod, JacobiSvd, Jacobian, JointVector, NumericIk, NumericIkSettings, Pose, RobotError, SerialArm, Task,
-    Twist, solve_rates,
+    InverseMethod, JacobiSvd, JointVector, NumericIk, NumericIkSettings, Pose, RobotError, SerialArm, Task, Twist,
 };
 use thiserror::Error;
 
@@ -117,26 +116,22 @@ impl<const N: usize> ToolKinematics<N> {
         seed: &JointVector<N>,
     ) -> Result<JointState<N>, ToolFault> {
         let q = NumericIk::new(&self.arm, self.task, IK).solve(pose, seed).map_err(ToolFault::Unreachable)?;
-        let jacobian = self.arm.jacobian(&q);
-        let (smallest, allowed) = (self.smallest(&jacobian), self.smallest_singular_value);
-        if !(smallest >= allowed) {
+        let frames = self.arm.frames(&q);
+        let svd = JacobiSvd::new(&self.task.select_rows(&self.arm.jacobian_at(&frames)));
+        let smallest = svd.as_ref().map_or(f64::NAN, |svd| self.smallest(svd));
+        let allowed = self.smallest_singular_value;
+        let Some(svd) = svd.filter(|_| smallest >= allowed) else {
             return Err(ToolFault::Singular { smallest, allowed });
-        }
+        };
         // All of the task's singular values are above the cutoff: this is the plain pseudo-inverse.
-        let inverse = InverseMethod::TruncatedSvd { cutoff: 0.5 * allowed };
-        let qd = solve_rates(inverse, self.task, &jacobian, twist);
-        let rest = acceleration - self.arm.bias_acceleration(&q, &qd);
-        let qdd = solve_rates(inverse, self.task, &jacobian, &rest);
+        let rates = |twist: &Twist| svd.solve(&self.task.select(twist), 0.5 * allowed);
+        let qd = rates(twist);
+        let qdd = rates(&(acceleration - self.arm.bias_acceleration_at(&frames, &qd)));
         Ok(JointState { q, qd, qdd })
     }
 
-    /// The smallest singular value of the Jacobian on the task's rows; NaN if it is not finite.
-    fn smallest(&self, jacobian: &Jacobian<N>) -> f64 {
-        let mut rows = Jacobian::<N>::zeros();
-        for &row in self.task.rows() {
-            rows.set_row(row, &jacobian.row(row));
-        }
-        let Some(svd) = JacobiSvd::new(&rows) else { return f64::NAN };
+    /// The smallest singular value that belongs to the task's rows.
+    fn smallest(&self, svd: &JacobiSvd<N>) -> f64 {
         let mut values: [f64; N] = std::array::from_fn(|k| svd.singular_value(k));
         values.sort_unstable_by(|a, b| b.total_cmp(a));
         // A redundant arm has more columns than rows; the values beyond the rows' number are zero by construction.
