@@ -4,7 +4,7 @@ mod support;
 
 use slideway_conditioner::path::{
     Constraint, ConstraintSample, HoldReason, Margin, Motion, PathForm, PathOutcome, PathQuantity, PathSettings,
-    Reserve, SwitchingLaw, TrapPhase, Walk, sample_all,
+    Reserve, SwitchingLaw, TrapPhase, TrapSettings, Walk, sample_all,
 };
 use slideway_conditioner::shapes::{Ball, HalfSpace, Side};
 use slideway_conditioner::{ParameterError, PathConditioner};
@@ -156,6 +156,107 @@ fn parameters_out_of_range_are_named() {
     assert_eq!(period, Err(ParameterError::SamplingPeriod(0.0)));
     let start = PathConditioner::<3, 2>::new(good).expect("valid").at_rest(&[0.0, f64::INFINITY, 0.0]);
     assert!(matches!(start, Err(ParameterError::Path { quantity: PathQuantity::Start(1), .. })));
+}
+
+/// What the settings of a trap example say when one of its trap parameters is changed.
+fn refused(change: impl FnOnce(&mut TrapSettings)) -> Option<(PathQuantity, f64)> {
+    let mut settings = trap_example::<1>(Walk::Safe { push_share: 0.4 }, 5.0, 1);
+    let law = SwitchingLaw::Normalised { amplitude: 1.6 };
+    settings.form = PathForm::Sliding { law, reserve: Reserve::On { recovery_rate: 1.0 } };
+    change(settings.trap.as_mut().expect("the example walks"));
+    match PathConditioner::<3, 1>::new(settings) {
+        Ok(_) => None,
+        Err(ParameterError::Path { quantity, value }) => Some((quantity, value)),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+type Change = fn(&mut TrapSettings, f64);
+
+const ABOVE_ZERO: [(PathQuantity, Change); 6] = [
+    (PathQuantity::WalkCutoff, |trap, x| trap.walk_cutoff = x),
+    (PathQuantity::PaceCutoff, |trap, x| trap.pace_cutoff = x),
+    (PathQuantity::WalkSpeed, |trap, x| trap.walk_speed = x),
+    (PathQuantity::ReturnGain, |trap, x| trap.return_gain = x),
+    (PathQuantity::DirectionPeriod, |trap, x| trap.direction_period = x),
+    (PathQuantity::DistanceThreshold, |trap, x| trap.distance_threshold = x),
+];
+
+const NOT_NEGATIVE: [(PathQuantity, Change); 3] = [
+    (PathQuantity::WalkGrowth, |trap, x| trap.walk_growth = x),
+    (PathQuantity::ClearanceThreshold, |trap, x| trap.clearance_threshold = x),
+    (PathQuantity::ActivityThreshold, |trap, x| trap.activity_threshold = x),
+];
+
+#[test]
+fn every_parameter_of_the_trap_avoidance_has_its_range() {
+    for (quantity, change) in ABOVE_ZERO.into_iter().chain(NOT_NEGATIVE) {
+        for value in [-1e-9, f64::INFINITY] {
+            assert_eq!(refused(|trap| change(trap, value)), Some((quantity, value)), "{quantity}");
+        }
+        assert!(refused(|trap| change(trap, f64::NAN)).is_some_and(|(named, _)| named == quantity), "{quantity}");
+        assert_eq!(refused(|trap| change(trap, 1e-9)), None, "{quantity}");
+    }
+    for (quantity, change) in ABOVE_ZERO {
+        assert_eq!(refused(|trap| change(trap, 0.0)), Some((quantity, 0.0)));
+    }
+    for (quantity, change) in NOT_NEGATIVE {
+        assert_eq!(refused(|trap| change(trap, 0.0)), None, "{quantity}");
+    }
+    // Sampled every 0.2 ms: π / T is 15 708 rad/s.
+    for (quantity, change) in [ABOVE_ZERO[0], ABOVE_ZERO[1]] {
+        assert_eq!(refused(|trap| change(trap, 15_700.0)), None, "{quantity}");
+        assert_eq!(refused(|trap| change(trap, 15_710.0)), Some((quantity, 15_710.0)));
+    }
+}
+
+#[test]
+fn the_share_of_the_push_lies_between_nothing_and_all() {
+    for push_share in [-0.1, 0.0, 1.0, 1.1, f64::INFINITY] {
+        let answer = refused(|trap| trap.walk = Walk::Safe { push_share });
+        assert_eq!(answer, Some((PathQuantity::PushShare, push_share)));
+    }
+    assert!(refused(|trap| trap.walk = Walk::Safe { push_share: f64::NAN }).is_some());
+    for push_share in [1e-9, 0.5, 1.0 - 1e-9] {
+        assert_eq!(refused(|trap| trap.walk = Walk::Safe { push_share }), None);
+    }
+}
+
+#[test]
+fn a_margin_may_be_zero_and_no_parameter_may_be_infinite() {
+    let good = first_example(1e-3, explicit(0.1));
+    let none = PathSettings { margin: Margin::Fixed([0.0; 2]), ..good };
+    assert!(PathConditioner::<3, 2>::new(none).is_ok());
+    for settings in [
+        PathSettings { push_cutoff: f64::INFINITY, ..good },
+        PathSettings { approach: [f64::INFINITY, 0.1], ..good },
+        PathSettings { margin: Margin::Fixed([0.0, f64::INFINITY]), ..good },
+        PathSettings { form: explicit(f64::INFINITY), ..good },
+        PathSettings { form: PathForm::Implicit { recovery_rate: f64::INFINITY }, ..good },
+    ] {
+        assert!(PathConditioner::<3, 2>::new(settings).is_err(), "{settings:?}");
+    }
+}
+
+#[test]
+fn a_refusal_names_the_parameter_in_words_and_counts_from_one() {
+    let good = first_example(1e-3, explicit(0.1));
+    let refusal = PathConditioner::<3, 2>::new(PathSettings { approach: [0.1, 0.0], ..good }).expect_err("K is zero");
+    assert_eq!(refusal.to_string(), "approach time K of constraint 2 (s) is 0, which is out of its range");
+    assert_eq!(PathQuantity::Start(2).to_string(), "coordinate 3 of the starting position");
+    let others = [
+        PathQuantity::PushCutoff,
+        PathQuantity::Approach(0),
+        PathQuantity::Approach(1),
+        PathQuantity::Margin(0),
+        PathQuantity::Push,
+        PathQuantity::RecoveryRate,
+        PathQuantity::PushShare,
+    ];
+    let trap = ABOVE_ZERO.iter().chain(&NOT_NEGATIVE).map(|(quantity, _)| quantity.to_string());
+    let mut names: Vec<String> = others.iter().map(ToString::to_string).chain(trap).collect();
+    names.sort();
+    assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "two parameters with one name: {names:?}");
 }
 
 #[test]

@@ -2,9 +2,12 @@
 
 mod support;
 
+use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
-    ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, Reserve, SwitchingLaw, TrapPhase, Walk,
+    Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, Reserve, SwitchingLaw,
+    TrapPhase, TrapSettings, Walk,
 };
+use slideway_conditioner::shapes::HalfSpace;
 use support::{Path, booth_oval, helix, one_ellipsoid, run, trap_example, two_ellipsoids, wave};
 
 /// The longest a run may take: the independent simulation needed 5.1 s of waiting at most.
@@ -98,10 +101,28 @@ fn the_safe_walk_escapes_the_oval_and_never_breaks_it() {
 }
 
 #[test]
+fn the_safe_walk_feels_a_boundary_as_soon_as_it_is_within_its_band() {
+    let wall = HalfSpace::new(&[1.0, 0.0, 0.0], 0.0).expect("a normal");
+    let phase = |settings: PathSettings<1>, away: f64| {
+        let trap = settings.trap.map(|trap| TrapSettings { activity_threshold: 1e-3, ..trap });
+        let conditioner = PathConditioner::<3, 1>::new(PathSettings { trap, ..settings }).expect("valid settings");
+        let mut state = conditioner.at_rest(&[-away, 0.0, 0.0]).expect("a finite position");
+        let reference = Motion { time: 0.0, position: [-1.0, 0.0, 0.0], velocity: [0.0; 3] };
+        conditioner.step(&mut state, &reference, |motion| [wall.sample(motion)]).trap
+    };
+    let safe = |away| phase(PathSettings { margin: Margin::None, ..safe(1) }, away);
+    // One full push is T α1² K U = 2e-4 * 400 * 0.05 * 1.6 = 6.4 mm, wider than the 1 mm that were set.
+    assert_eq!((safe(6e-3), safe(7e-3)), (TrapPhase::Walking, TrapPhase::Returning));
+    // The walk of the paper takes the threshold as it is.
+    assert_eq!(phase(trap_example(Walk::Paper, 5.0, 1), 6e-3), TrapPhase::Returning);
+    assert_eq!(phase(trap_example(Walk::Paper, 5.0, 1), 5e-4), TrapPhase::Walking);
+}
+
+#[test]
 fn without_a_walk_the_reference_stays_trapped() {
     // The slowest walk there is: one that covers a micrometre in the whole run.
     let mut settings = trap_example::<1>(Walk::Paper, 1e-7, 1);
-    settings.trap = settings.trap.map(|trap| slideway_conditioner::path::TrapSettings { walk_growth: 0.0, ..trap });
+    settings.trap = settings.trap.map(|trap| TrapSettings { walk_growth: 0.0, ..trap });
     assert!(!escape(settings, helix, one_ellipsoid).escaped);
 }
 

@@ -73,3 +73,35 @@ pub fn sample_all<const N: usize, const M: usize>(
 ) -> [ConstraintSample<N>; M] {
     constraints.map(|constraint| constraint.sample(motion))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_is_finite_only_with_all_its_parts() {
+        let good = Motion { time: 1.0, position: [2.0, 3.0], velocity: [4.0, 5.0] };
+        assert!(good.is_finite());
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!Motion { time: bad, ..good }.is_finite());
+            assert!(!Motion { position: [2.0, bad], ..good }.is_finite());
+            assert!(!Motion { velocity: [bad, 5.0], ..good }.is_finite());
+        }
+    }
+
+    /// A wall `2 x <= 0.6 t` seen at 3 s from `x = 0.5`, which runs after it.
+    #[test]
+    fn rate_and_phi_count_the_motion_of_point_and_wall() {
+        let (time, x, speed, approach) = (3.0, 0.5, [0.7, -9.0], 0.25);
+        let wall = ConstraintSample {
+            value: 2.0 * x - 0.6 * time,
+            gradient: [2.0, 0.0],
+            time_rate: -0.6,
+            gradient_rate: [0.0; 2],
+            time_rate_rate: 0.0,
+        };
+        // The gap closes by 2 * 0.7 - 0.6 = 0.8 per second, a quarter second ahead -0.8 + 0.25 * 0.8 = -0.6 is left.
+        assert!((wall.rate(&speed) - 0.8).abs() < 1e-15);
+        assert!((wall.phi(approach, &speed) + 0.6).abs() < 1e-15);
+    }
+}

@@ -46,4 +46,29 @@ mod tests {
             assert!(v.iter().all(|x| (-0.5..0.5).contains(x)) && v[0] != v[1]);
         }
     }
+
+    #[test]
+    fn a_component_is_the_fraction_the_word_is_of_all_words() {
+        let [x]: [f64; 1] = Random::new(1_234_567).vector();
+        // The eleven lowest bits are dropped: 2^-53 at most.
+        assert!((x - (6_457_827_717_110_365_317_u64 as f64 / 18_446_744_073_709_551_616.0 - 0.5)).abs() < 3e-16);
+    }
+
+    #[test]
+    fn components_fill_the_box_evenly() {
+        let (mut random, mut sum, mut squares) = (Random::new(7), [0.0; 3], [0.0; 3]);
+        let count = 10_000.0;
+        for _ in 0..10_000 {
+            let v: [f64; 3] = random.vector();
+            for i in 0..3 {
+                sum[i] += v[i];
+                squares[i] += v[i] * v[i];
+            }
+        }
+        for i in 0..3 {
+            // Of a uniform variable: variance 1/12, that of its square 1/80 - 1/144 = 1/180. Four standard errors.
+            assert!((sum[i] / count).abs() < 4.0 * libm::sqrt(1.0 / 12.0 / count));
+            assert!((squares[i] / count - 1.0 / 12.0).abs() < 4.0 * libm::sqrt(1.0 / 180.0 / count));
+        }
+    }
 }

@@ -129,3 +129,167 @@ impl TrapAvoidance {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::filters::PushState;
+    use super::super::settings::Walk;
+    use super::super::state::PathState;
+    use super::*;
+
+    const PERIOD: f64 = 1e-3;
+    const SETTINGS: TrapSettings = TrapSettings {
+        walk_cutoff: 20.0,
+        pace_cutoff: 10.0,
+        walk: Walk::Paper,
+        walk_speed: 2.0,
+        walk_growth: 3.0,
+        return_gain: 5.0,
+        direction_period: 0.1,
+        distance_threshold: 0.05,
+        clearance_threshold: 0.03,
+        activity_threshold: 0.01,
+        seed: 1,
+    };
+
+    /// A wall along the second axis.
+    const WALL: ConstraintSample<2> = ConstraintSample {
+        value: 0.0,
+        gradient: [2.0, 0.0],
+        time_rate: 0.0,
+        gradient_rate: [0.0; 2],
+        time_rate_rate: 0.0,
+    };
+
+    fn zero_order_hold() -> TrapAvoidance {
+        TrapAvoidance::new(SETTINGS, PERIOD, Discretisation::ZeroOrderHold)
+    }
+
+    fn start(trap: &TrapAvoidance) -> TrapState<2> {
+        let push = PushState { first: [0.0; 2], second: [0.0; 2] };
+        PathState::<2, 1>::new(push, trap.pace_memory(), trap.settings.seed).trap
+    }
+
+    /// Decides at this distance from the reference, with this `φ` there and this one here.
+    fn decide(trap: &TrapAvoidance, state: &mut TrapState<2>, distance: f64, there: f64, here: f64) -> TrapInputs<2> {
+        let situation = Situation {
+            distance,
+            reference_excess: &[there],
+            samples: &[WALL],
+            excess: &[here],
+            threshold: &[SETTINGS.activity_threshold],
+        };
+        trap.decide(state, &situation, |wanted, _| wanted)
+    }
+
+    #[test]
+    fn the_reference_waits_only_where_it_is_lost_and_clearly_inside() {
+        let trap = zero_order_hold();
+        // Farther than ε1 = 0.05 and below -ε2 = -0.03: strictly, as the settings say.
+        for (distance, there, pace) in [
+            (0.06, -0.04, 0.0),
+            (0.05, -0.04, 1.0),
+            (0.04, -0.04, 1.0),
+            (0.06, -0.03, 1.0),
+            (0.06, 0.0, 1.0),
+            (0.06, 0.04, 1.0),
+            (0.04, 0.04, 1.0),
+            (0.06, f64::NAN, 1.0),
+        ] {
+            let inputs = decide(&trap, &mut start(&trap), distance, there, 0.0);
+            assert_eq!(inputs.pace, pace, "at {distance} with φ = {there} at the reference");
+            assert_eq!(inputs.phase == TrapPhase::Following, pace == 1.0);
+        }
+    }
+
+    #[test]
+    fn the_walk_goes_along_the_wall_and_faster_the_longer_it_takes() {
+        let trap = zero_order_hold();
+        let mut state = start(&trap);
+        for trial in 0..2 {
+            for k in 1..=50_u32 {
+                let inputs = decide(&trap, &mut state, 0.06, -0.04, 0.0);
+                assert_eq!((inputs.phase, inputs.walk[0]), (TrapPhase::Walking, 0.0), "in trial {trial}");
+                // Kc + Kv t, with a rounding for every sample of the clock.
+                let speed = 2.0 + 3.0 * 1e-3 * f64::from(k);
+                assert!((inputs.walk[1].abs() - speed).abs() < 1e-14, "{:?} after {k} samples", inputs.walk);
+            }
+            // Found again: the clock starts from 0 at the next trap.
+            assert_eq!(decide(&trap, &mut state, 0.01, -0.04, 0.0).phase, TrapPhase::Following);
+        }
+    }
+
+    #[test]
+    fn away_from_every_boundary_the_walk_turns_home() {
+        let trap = zero_order_hold();
+        let mut state = TrapState { walk: [0.2, -0.4], ..start(&trap) };
+        // Active is what lies above -ε3 = -0.01: strictly.
+        for (here, phase) in [
+            (0.005, TrapPhase::Walking),
+            (-0.009, TrapPhase::Walking),
+            (-0.01, TrapPhase::Returning),
+            (-0.02, TrapPhase::Returning),
+        ] {
+            assert_eq!(decide(&trap, &mut state, 0.06, -0.04, here).phase, phase, "at φ = {here}");
+        }
+        // -Ke f_RW, whether the reference waits or moves on.
+        assert_eq!(decide(&trap, &mut state, 0.06, -0.04, -0.02).walk, [-1.0, 2.0]);
+        assert_eq!(decide(&trap, &mut state, 0.0, -0.04, 0.0).walk, [-1.0, 2.0]);
+    }
+
+    #[test]
+    fn the_random_direction_lasts_its_period_and_no_longer() {
+        let trap = zero_order_hold();
+        let mut state = start(&trap);
+        let mut before = state.direction;
+        for k in 0..1000 {
+            decide(&trap, &mut state, 0.06, -0.04, 0.0);
+            // 0.1 s are 100 samples; the first one draws as well.
+            assert_eq!(state.direction != before, k % 100 == 0, "at sample {k}");
+            before = state.direction;
+        }
+    }
+
+    #[test]
+    fn walk_and_clock_follow_the_closed_form_of_their_filters() {
+        let trap = zero_order_hold();
+        let mut state = start(&trap);
+        let inputs = TrapInputs { walk: [0.5, -2.0], pace: 0.0, phase: TrapPhase::Walking };
+        let mut clock = 0.0;
+        for k in 1..=200_u32 {
+            clock += trap.advance(&mut state, &inputs, Discretisation::ZeroOrderHold);
+            let t = f64::from(k) * PERIOD;
+            // Both filters of first order: 1 - exp(-α t), and its integral. Some 200 roundings of numbers around 1.
+            let risen = 1.0 - libm::exp(-20.0 * t);
+            for (i, u) in inputs.walk.iter().enumerate() {
+                assert!((state.speed[i] - u * risen).abs() < 1e-13);
+                assert!((state.walk[i] - u * (t - risen / 20.0)).abs() < 1e-13);
+            }
+            // The reference runs out from full pace.
+            let left = libm::exp(-10.0 * t);
+            assert!((state.pace - left).abs() < 1e-13 && (clock - (1.0 - left) / 10.0).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn the_appendix_holds_the_pace_over_the_sample() {
+        let trap = TrapAvoidance::new(SETTINGS, PERIOD, Discretisation::PrewarpedTustin);
+        let mut state = start(&trap);
+        let mut follow = TrapInputs { walk: [0.0; 2], pace: 1.0, phase: TrapPhase::Following };
+        for _ in 0..100 {
+            // Full pace stays full pace: the filter starts as one that has always seen a 1.
+            assert!((trap.advance(&mut state, &follow, Discretisation::PrewarpedTustin) - PERIOD).abs() < 1e-16);
+            assert!((state.pace - 1.0).abs() < 1e-14);
+        }
+        follow.pace = 0.0;
+        // Tustin's rule at an input that falls from 1 to 0: c / (1 + c) is lost at once, then (1 - c) / (1 + c) is left.
+        let c = libm::tan(0.5 * 10.0 * PERIOD);
+        let mut pace = 1.0;
+        for k in 0..100 {
+            let gained = trap.advance(&mut state, &follow, Discretisation::PrewarpedTustin);
+            assert!((gained - PERIOD * pace).abs() < 1e-16, "{gained} at sample {k}");
+            pace = if k == 0 { 1.0 / (1.0 + c) } else { pace * (1.0 - c) / (1.0 + c) };
+            assert!((state.pace - pace).abs() < 1e-13, "{} instead of {pace} at sample {k}", state.pace);
+        }
+    }
+}

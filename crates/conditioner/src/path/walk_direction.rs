@@ -37,7 +37,8 @@ pub(crate) fn orthogonal_direction<const N: usize, const M: usize>(
 
 fn unit<const N: usize>(left: &[f64; N], whole: f64) -> Option<[f64; N]> {
     let length = norm(left);
-    (length > LEFT_OVER * whole && length > 0.0).then(|| scaled(1.0 / length, left))
+    // Strictly more: of an empty vector nothing is left.
+    (length > LEFT_OVER * whole).then(|| scaled(1.0 / length, left))
 }
 
 #[cfg(test)]
@@ -69,5 +70,49 @@ mod tests {
     fn dependent_gradients_count_once() {
         let samples = [gradient([0.0, 0.0, 1.0]), gradient([0.0, 0.0, 2.0]), gradient([0.0, 0.0, -1.0])];
         assert!(orthogonal_direction(&samples, &[true; 3], &[0.3, -0.1, 0.2]).is_some());
+    }
+
+    #[test]
+    fn without_active_gradients_the_direction_is_that_of_the_vector() {
+        let samples = [gradient([1.0, 2.0, 3.0])];
+        let found = orthogonal_direction(&samples, &[false], &[2.0, -1.0, -2.0]).expect("a vector to follow");
+        for (x, exact) in found.iter().zip([2.0 / 3.0, -1.0 / 3.0, -2.0 / 3.0]) {
+            assert!((x - exact).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn an_empty_vector_leads_nowhere_and_an_empty_gradient_forbids_nothing() {
+        let samples = [gradient([0.0; 3]), gradient([0.0, 0.0, 1.0])];
+        assert_eq!(orthogonal_direction(&samples, &[true; 2], &[0.0; 3]), None);
+        assert_eq!(orthogonal_direction(&samples, &[true; 2], &[3.0, 0.0, 5.0]), Some([1.0, 0.0, 0.0]));
+    }
+
+    /// `[G12] 5.1` asks for gradients around 1, but a walk in micrometres is a walk all the same.
+    #[test]
+    fn lengths_of_gradients_and_vector_do_not_matter() {
+        for scale in [1e-12, 1e-6, 1e6, 1e12] {
+            let samples = [gradient([scale, 0.0, 0.0]), gradient([0.0, 1.0 / scale, 0.0])];
+            let found = orthogonal_direction(&samples, &[true; 2], &scaled(scale, &[1.0, 2.0, -3.0]));
+            assert_eq!(found, Some([0.0, 0.0, -1.0]));
+        }
+    }
+
+    /// What rounding leaves of a gradient that depends on another one is no gradient: it would forbid a direction more.
+    #[test]
+    fn a_gradient_and_its_multiples_leave_the_other_direction_of_a_plane() {
+        for k in 0..100_u32 {
+            let angle = 0.01 + f64::from(k);
+            let normal = [libm::cos(angle), libm::sin(angle)];
+            let samples = [1.0, 0.3, -1.7].map(|factor| ConstraintSample {
+                value: 0.0,
+                gradient: scaled(factor, &normal),
+                time_rate: 0.0,
+                gradient_rate: [0.0; 2],
+                time_rate_rate: 0.0,
+            });
+            let found = orthogonal_direction(&samples, &[true; 3], &[0.3, -0.1]).expect("a plane has two directions");
+            assert!(dot(&found, &normal).abs() < 1e-14, "{found:?} of {normal:?}");
+        }
     }
 }
