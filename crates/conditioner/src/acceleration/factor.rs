@@ -49,6 +49,8 @@ impl Admissible {
 /// The largest violation is convex and piecewise linear in `f`. Two of its lines, one falling and one rising, enclose the
 /// minimum; where they meet lies the minimum or a third line, which replaces one of them. Each of the `2N` lines is taken
 /// up at most once.
+///
+/// Where a joint with `B = 0` exceeds most over a range of factors: 0 or `most` if they belong to it, 0 first; else the least of them.
 pub(super) fn least_violation<const N: usize>(
     desired: &AffineSpeed<N>,
     reachable: &Reachable<N>,
@@ -120,9 +122,10 @@ mod tests {
         )
     }
 
-    fn violation((desired, reachable): &(AffineSpeed<3>, Reachable<3>), factor: f64) -> f64 {
+    fn violation((desired, reachable): &(AffineSpeed<3>, Reachable<3>), scale: &[f64; 3], factor: f64) -> f64 {
         let speed = desired.at(factor);
-        speed.iter().zip(reachable.ends()).map(|(v, (lo, up))| (v - up).max(lo - v)).fold(f64::NEG_INFINITY, f64::max)
+        let joints = speed.iter().zip(reachable.ends()).zip(scale);
+        joints.map(|((v, (lo, up)), unit)| (v - up).max(lo - v) / unit).fold(f64::NEG_INFINITY, f64::max)
     }
 
     proptest! {
@@ -130,19 +133,59 @@ mod tests {
         fn a_factor_is_admissible_exactly_inside_the_closed_form_interval(case in case(), factor in 0.0..=1.0) {
             let admissible = Admissible::new(&case.0, &case.1);
             let is_inside = admissible.is_some_and(|a| a.least <= factor && factor <= a.greatest);
-            let violation = violation(&case, factor);
+            let violation = violation(&case, &[1.0; 3], factor);
             // Values of order 1: what is nearer to the border than 1e-12 is decided by rounding.
             prop_assert!(is_inside == (violation <= 0.0) || violation.abs() < 1e-12);
         }
 
         #[test]
-        fn no_factor_of_a_fine_grid_violates_less_than_the_chosen_one(case in case(), most in 0.0..=1.0) {
-            let chosen = least_violation(&case.0, &case.1, &[1.0; 3], most);
+        fn no_factor_of_a_fine_grid_violates_less_than_the_chosen_one(
+            case in case(),
+            scale in proptest::array::uniform3(0.1..2.0),
+            most in 0.0..=1.0,
+        ) {
+            let chosen = least_violation(&case.0, &case.1, &scale, most);
             prop_assert!((0.0..=most).contains(&chosen));
             for step in 0..=500 {
-                let other = violation(&case, most * f64::from(step) / 500.0);
-                prop_assert!(violation(&case, chosen) <= other + 1e-12);
+                let other = violation(&case, &scale, most * f64::from(step) / 500.0);
+                prop_assert!(violation(&case, &scale, chosen) <= other + 1e-12);
             }
         }
+    }
+
+    /// Joint `k` asks for `f - c` and exceeds its box by `(|f - c| - w / 2) / 8^k`: between its roots `c - w / 2` and `c + w / 2` not at all.
+    /// The roots of each lie inside those of the one before, beyond their middle, so that the two lines of one joint meet
+    /// where the left line of the next is the highest, and that one meets the right line where its own right one is.
+    #[test]
+    fn the_least_violation_is_found_even_if_each_line_is_the_highest_once_on_the_way() {
+        const JOINTS: usize = 6;
+        let (mut left, mut right) = (0.1, 0.9);
+        let (mut centre, mut width, mut scale) = ([0.0; JOINTS], [0.0; JOINTS], [0.0; JOINTS]);
+        for (joint, unit) in scale.iter_mut().enumerate() {
+            *unit = 8.0_f64.powf(joint as f64);
+            (centre[joint], width[joint]) = (0.5 * (left + right), right - left);
+            (left, right) = (left + 0.6 * width[joint], left + 0.9 * width[joint]);
+        }
+        let desired = AffineSpeed { feedback: centre.map(|c| -c), feedforward: [1.0; JOINTS] };
+        let reachable = Reachable { lower: width.map(|w| -0.5 * w), upper: width.map(|w| 0.5 * w) };
+        // The lines of the last joint are the shallowest: at its centre all others are further inside. Some roundings of numbers up to 1.
+        let factor = least_violation(&desired, &reachable, &scale, 1.0);
+        assert!((factor - centre[JOINTS - 1]).abs() <= 4.0 * f64::EPSILON, "{factor}");
+    }
+
+    #[test]
+    fn a_joint_out_of_reach_whatever_the_factor_leaves_the_reference_its_rate_or_the_slowest_that_is_no_worse() {
+        // Joint 1 exceeds its box by `flat`, joint 2 by |f - 0.5| - 0.25.
+        let factor = |flat: f64, most: f64| {
+            let desired = AffineSpeed { feedback: [0.25 + flat, -0.5], feedforward: [0.0, 1.0] };
+            let reachable = Reachable { lower: [-0.25; 2], upper: [0.25; 2] };
+            least_violation(&desired, &reachable, &[1.0; 2], most)
+        };
+        // No worse at a stand than anywhere: the reference stands.
+        assert_eq!(factor(0.5, 1.0), 0.0);
+        // Joint 2 would exceed more at a stand, and no more at the rate it has.
+        assert_eq!(factor(0.125, 0.75), 0.75);
+        // From 0.125 to 0.875 it exceeds no more.
+        assert_eq!(factor(0.125, 1.0), 0.125);
     }
 }

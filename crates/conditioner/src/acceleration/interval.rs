@@ -55,8 +55,9 @@ impl<const N: usize> Interval<N> {
         let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
         for ((&v0, &v1), (&lo, &up)) in joints.clone() {
             for [of_y, of_x] in coefficients(v0, v1) {
-                if row(of_y, of_x, lo, up, range).is_none() && of_x != 0.0 {
-                    x = x.min(range * if of_x > 0.0 { up / of_x } else { lo / of_x });
+                if row(of_y, of_x, lo, up, range).is_none() {
+                    // The limit towards which the row moves has the positive quotient; a row without `x` too has no end.
+                    x = x.min(range * (up / of_x).max(lo / of_x));
                 }
             }
         }
@@ -117,8 +118,7 @@ fn row(of_y: f64, of_x: f64, lower: f64, upper: f64, range: f64) -> Option<Lines
         return None;
     }
     let (a, b) = (range * lower * inverse, range * upper * inverse);
-    let (low, high) = if inverse > 0.0 { (a, b) } else { (b, a) };
-    Some(Lines { slope: -of_x * inverse, low, high })
+    Some(Lines { slope: -of_x * inverse, low: a.min(b), high: a.max(b) })
 }
 
 #[cfg(test)]
@@ -163,6 +163,53 @@ mod tests {
             // Both divide by coefficients of a line's slope; below 1e-9 of the caps is rounding of those quotients.
             prop_assert!((interval.greatest(&limits, 1.0) - kept).abs() <= 1e-9 * (1.0 + kept));
         }
+    }
+
+    /// One joint whose limits are -2 and 3, of which the far end allows much.
+    fn greatest(near: f64, far: f64, length: f64, share: f64) -> Result<f64, crate::ParameterError> {
+        let limits = AccelerationLimits::new([-2.0], [3.0])?;
+        Ok(Interval { near: [near], far: [far], length, cap: 1e3, allowed: 50.0 }.greatest(&limits, share))
+    }
+
+    #[test]
+    fn one_joint_s_greatest_values_are_those_worked_out_by_hand() -> Result<(), crate::ParameterError> {
+        // 2 d share = 0.2. Straight: x = y + 0.2 times the limit against the motion, over q'.
+        let cases = [
+            (4.0, 4.0, 50.0 + 0.2 * 2.0 / 4.0),
+            (-4.0, -4.0, 50.0 + 0.2 * 3.0 / 4.0),
+            // From a stand the near end's row is `2 v1 x` alone, which only q'' b = v1 x / d bounds.
+            (0.0, 4.0, 0.2 * 3.0 / 8.0),
+            (0.0, -4.0, 0.2 * 2.0 / 8.0),
+            // With 3 v1 = 2 v0 the far end's row is `-v1 x` alone.
+            (6.0, 4.0, 0.2 * 2.0 / 4.0),
+            (-6.0, -4.0, 0.2 * 3.0 / 4.0),
+            // Into a turn of the joint the near end brakes: 2 y - 6 x >= -0.4; the far end's -4 y turns to 4 y <= 0.4.
+            (2.0, 0.0, (2.0 * 0.1 + 0.4) / 6.0),
+            // A joint that stands leaves what the speed limits leave.
+            (0.0, 0.0, 1e3),
+        ];
+        for (near, far, by_hand) in cases {
+            let x = greatest(near, far, 0.25, 0.4)?;
+            // Half a dozen roundings.
+            assert!((x - by_hand).abs() <= 4.0 * f64::EPSILON * by_hand, "{near} {far}: {x} {by_hand}");
+        }
+        Ok(())
+    }
+
+    /// Near rows `y >= s (x - r)` whose slopes `s` rise eightfold from joint to joint, their roots `r` by half as much each time. From the
+    /// right the steepest row is the highest, at its root the next one, and so on to the last.
+    #[test]
+    fn the_tightest_joint_is_found_even_if_the_way_to_it_leads_over_all_others() -> Result<(), crate::ParameterError> {
+        const JOINTS: usize = 12;
+        let slopes: [f64; JOINTS] = core::array::from_fn(|joint| 8.0 * 8.0_f64.powf(joint as f64));
+        let roots: [f64; JOINTS] = core::array::from_fn(|joint| 2.0 - 0.5_f64.powf(joint as f64));
+        // With q' = 1 at the near end and 2 d = 1: y >= (3 - 2 v1) x + a_lower. The far rows are out of the way.
+        let far = slopes.map(|slope| 0.5 * (3.0 - slope));
+        let lower = core::array::from_fn(|joint| -slopes[joint] * roots[joint]);
+        let limits = AccelerationLimits::new(lower, [1e30; JOINTS])?;
+        let interval = Interval { near: [1.0; JOINTS], far, length: 0.5, cap: 10.0, allowed: 0.0 };
+        assert!((interval.greatest(&limits, 1.0) - roots[0]).abs() <= 4.0 * f64::EPSILON);
+        Ok(())
     }
 
     #[test]
