@@ -52,21 +52,46 @@ impl<const N: usize> Interval<N> {
         let mut x = self.cap;
         let range = 2.0 * self.length * share;
         let mut rows = [[Lines { slope: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY }; 2]; N];
-        let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
-        for ((&v0, &v1), (&lo, &up)) in joints.clone() {
-            for [of_y, of_x] in coefficients(v0, v1) {
-                if row(of_y, of_x, lo, up, range).is_none() {
+        for (pair, ((&v0, &v1), (&lo, &up))) in rows.iter_mut().zip(self.joints(limits)) {
+            for (lines, [of_y, of_x]) in pair.iter_mut().zip(coefficients(v0, v1)) {
+                match row(of_y, of_x, lo, up, range) {
+                    Some(found) => *lines = found,
                     // The limit towards which the row moves has the positive quotient; a row without `x` too has no end.
-                    x = x.min(range * (up / of_x).max(lo / of_x));
+                    None => x = x.min(range * (up / of_x).max(lo / of_x)),
                 }
             }
         }
-        for (pair, ((&v0, &v1), (&lo, &up))) in rows.iter_mut().zip(joints) {
-            for (lines, [of_y, of_x]) in pair.iter_mut().zip(coefficients(v0, v1)) {
-                *lines = row(of_y, of_x, lo, up, range).unwrap_or(*lines);
+        self.newton(&rows, x)
+    }
+
+    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest.
+    pub(super) fn reaches(&self, limits: &AccelerationLimits<N>, share: f64, x: f64) -> bool {
+        if !(x <= self.cap) || !self.near.iter().chain(&self.far).all(|v| v.is_finite()) {
+            return x <= 0.0;
+        }
+        let range = 2.0 * self.length * share;
+        let (mut low, mut high) = (0.0_f64, self.allowed);
+        for ((&v0, &v1), (&lo, &up)) in self.joints(limits) {
+            for [of_y, of_x] in coefficients(v0, v1) {
+                let (moved, inverse) = (of_x * x, 1.0 / of_y);
+                let ends = [range * lo - moved, range * up - moved];
+                let [a, b] = ends.map(|end| end * inverse);
+                if inverse.is_finite() {
+                    (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
+                } else if !(ends[0] <= 0.0 && 0.0 <= ends[1]) {
+                    return false;
+                }
             }
         }
-        self.newton(&rows, x)
+        low <= high
+    }
+
+    /// Path speeds at both ends and the limits, joint by joint.
+    fn joints<'a>(
+        &'a self,
+        limits: &'a AccelerationLimits<N>,
+    ) -> impl Iterator<Item = ((&'a f64, &'a f64), (&'a f64, &'a f64))> {
+        self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()))
     }
 
     fn newton(&self, rows: &[[Lines; 2]; N], from: f64) -> f64 {
@@ -163,6 +188,29 @@ mod tests {
             // Both divide by coefficients of a line's slope; below 1e-9 of the caps is rounding of those quotients.
             prop_assert!((interval.greatest(&limits, 1.0) - kept).abs() <= 1e-9 * (1.0 + kept));
         }
+
+        #[test]
+        fn a_value_is_reached_up_to_the_greatest_and_not_beyond(
+            near in proptest::array::uniform3(-2.0..2.0),
+            far in proptest::array::uniform3(-2.0..2.0),
+            length in 1e-3..0.5,
+            allowed in 0.0..4.0,
+            share in 0.5..=1.0,
+            stands in 0_usize..4,
+            of_greatest in 0.0..2.0_f64,
+        ) {
+            let limits = AccelerationLimits::new([-0.5, -1.0, -3.0], [2.0, 1.0, 0.3])?;
+            let mut interval = Interval::<3> { near, far, length, cap: 10.0, allowed };
+            // A joint that stands at the near end has a row without `y`.
+            if let Some(near) = interval.near.get_mut(stands) {
+                *near = 0.0;
+            }
+            let greatest = interval.greatest(&limits, share);
+            let x = of_greatest * greatest;
+            // As above: what is nearer than 1e-9 is decided by rounding.
+            let is_near = (x - greatest).abs() <= 1e-9 * (1.0 + greatest);
+            prop_assert!(is_near || interval.reaches(&limits, share, x) == (x < greatest), "{x} {greatest}");
+        }
     }
 
     /// One joint whose limits are -2 and 3, of which the far end allows much.
@@ -217,6 +265,8 @@ mod tests {
         let limits = AccelerationLimits::symmetric([1.0])?;
         let interval = Interval { near: [1.0], far: [f64::NAN], length: 0.1, cap: 1.0, allowed: 1.0 };
         assert_eq!(interval.greatest(&limits, 1.0), 0.0);
+        assert!(interval.reaches(&limits, 1.0, 0.0) && !interval.reaches(&limits, 1.0, 1e-300));
+        assert!(!interval.reaches(&limits, 1.0, f64::NAN));
         Ok(())
     }
 }

@@ -171,13 +171,27 @@ impl<const N: usize> LookAhead<N> {
 
     /// The greatest `b` at a place of a stretch from which its far end's range can be reached.
     fn range_from(&self, stretch: &Stretch<'_, N>, begin: f64) -> f64 {
+        let interval = self.interval(stretch, begin);
+        if !(interval.length > 0.0) {
+            return interval.allowed.min(interval.cap);
+        }
+        interval.greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
+    }
+
+    /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost.
+    fn is_in_range(&self, b: f64, stretch: &Stretch<'_, N>, begin: f64) -> bool {
+        let interval = self.interval(stretch, begin);
+        if !(interval.length > 0.0) {
+            return b <= interval.allowed.min(interval.cap);
+        }
+        interval.reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, b)
+    }
+
+    /// What is left of a stretch from a place on.
+    fn interval(&self, stretch: &Stretch<'_, N>, begin: f64) -> Interval<N> {
         let near = between(stretch.near, stretch.far, (begin - stretch.node) / stretch.spacing);
         let length = stretch.end() - begin;
-        if !(length > 0.0) {
-            return stretch.allowed.min(self.cap(&near));
-        }
-        let interval = Interval { near, far: *stretch.far, length, cap: self.cap(&near), allowed: stretch.allowed };
-        interval.greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
+        Interval { near, far: *stretch.far, length, cap: self.cap(&near), allowed: stretch.allowed }
     }
 
     /// The rate `w` for which `λ + Ts w / 2` is a place ahead.
@@ -202,7 +216,7 @@ impl<const N: usize> LookAhead<N> {
         for _ in 0..HALVINGS {
             let rate = 0.5 * (kept + refused);
             let place = 0.5 * self.settings.sampling_period * rate;
-            if self.is_kept(rate, self.range_from(stretch, place)) { kept = rate } else { refused = rate }
+            if self.is_in_range(rate * rate, stretch, place) { kept = rate } else { refused = rate }
         }
         kept
     }
