@@ -81,6 +81,7 @@ fn the_reserve_adds_what_the_push_lacks_and_reports_it() {
     // Some ten roundings of terms of 0.6, for the push over the 2 per_push = 0.37 by which it is divided.
     assert!((step.phi[0] - band).abs() < 1e-15 && (step.reserve[1] + missing).abs() < 5e-15, "{step:?}");
     assert_eq!((step.outcome, step.reserve[0]), (PathOutcome::Reserve, 0.0));
+    assert_eq!(step.sigma, [2.0 * step.motion.position[1]]);
     // The push of the coming interval is the law's, as without reserve.
     assert_eq!((step.push, step.share), ([0.0, -0.3], [1.0]));
 }

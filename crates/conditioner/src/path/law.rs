@@ -128,4 +128,17 @@ mod tests {
         // Two roundings each.
         assert!((full.vector[0] + 2.0).abs() < 1e-15 && (full.share[0] - 1.0).abs() < 1e-15, "{full:?}");
     }
+
+    #[test]
+    fn gradients_are_opposed_where_they_cancel_up_to_the_stated_share() {
+        let push = |law: SwitchingLaw, rest: f64| {
+            law.push(2.0, &[0.25; 2], &with_gradients([[1e9 + 0.5 * rest], [0.5 * rest - 1e9]]), &[true; 2])
+        };
+        // Both weigh 1. What is left of lengths of 2e9 in sum is opposed up to 1e-9 · 2e9 = 2.
+        for law in [SwitchingLaw::Sum { gain: 1.0 }, SwitchingLaw::Normalised { amplitude: 4.0 }] {
+            assert_eq!([0.0, 2.0, -2.0].map(|rest| push(law, rest)), [Err(HoldReason::OpposedGradients); 3]);
+            let found = push(law, 4.0).expect("a direction");
+            assert!((found.vector[0] + 4.0).abs() < 1e-15 && found.share.iter().all(|s| (s - 0.5).abs() < 1e-8));
+        }
+    }
 }

@@ -110,6 +110,16 @@ fn orthogonal_half_spaces_do_not_block_one_another_whatever_the_sign_of_a_zero()
 }
 
 #[test]
+fn a_normal_within_a_ten_millionth_of_the_active_ones_depends_on_them() {
+    // From u = -g₁ the half-space -c x + y <= c - 1 needs the step to y = -1, which rounding can no longer tell from none.
+    for (c, found) in [(0.9e7, Ok(())), (1.1e7, Err(NoCorrection::Contradiction(1)))] {
+        let mut set = ActiveSet { u: [-1.0, 0.0], multipliers: [1.0, 0.0], active: [true, false] };
+        assert_eq!(set.enter(1, &[[1.0, 0.0], [-c, 1.0]], &[-1.0, c - 1.0], &mut 0), found, "{c}");
+        assert_eq!(set.u, if found.is_ok() { [-1.0, -1.0] } else { [-1.0, 0.0] });
+    }
+}
+
+#[test]
 fn the_units_of_a_constraint_do_not_matter() {
     // x <= -1 and y <= bound, which answer for x + y <= -1/2 as well: three equations in two unknowns, so that the closed form
     // fails and the active set decides.
