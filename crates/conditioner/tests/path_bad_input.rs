@@ -57,6 +57,27 @@ fn a_constraint_that_is_not_finite_holds_and_is_named() {
 }
 
 #[test]
+fn every_number_that_a_form_uses_is_checked_and_the_explicit_forms_do_not_ask_for_rates() {
+    type Spoil = fn(&mut ConstraintSample<3>, f64);
+    let (value, gradient): (Spoil, Spoil) = (|s, bad| s.value = bad, |s, bad| s.gradient[1] = bad);
+    let (time_rate, rate): (Spoil, Spoil) = (|s, bad| s.time_rate = bad, |s, bad| s.gradient_rate[2] = bad);
+    for form in forms() {
+        let conditioner = PathConditioner::<3, 2>::new(first_example(1e-3, form)).expect("valid settings");
+        for (spoil, always) in [(value, true), (gradient, true), (time_rate, true), (rate, false)] {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let step = conditioner.step(&mut conditioner.on_reference(), &still([0.0, -0.1, 0.2]), |motion| {
+                    let mut samples = plane_and_sphere(motion);
+                    spoil(&mut samples[1], bad);
+                    samples
+                });
+                let held = step.outcome == PathOutcome::Held(HoldReason::ConstraintNotFinite(1));
+                assert_eq!(held, always || form == implicit(), "{form:?}: {:?}", step.outcome);
+            }
+        }
+    }
+}
+
+#[test]
 fn an_empty_gradient_on_an_active_constraint_holds_and_is_named() {
     // At the centre of a ball to be kept out of there is no way that is better than another.
     for form in [explicit(0.1), PathForm::Appendix { law: SwitchingLaw::Normalised { amplitude: 0.1 } }] {

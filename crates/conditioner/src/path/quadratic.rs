@@ -36,6 +36,24 @@ mod tests {
     }
 
     #[test]
+    fn a_quadratic_that_rises_from_the_start_is_cut_where_it_meets_the_limit() {
+        // 1 + 3 t + 4 t², limit 7/2: t = 1/2.
+        assert!((largest_factor([1.0, 3.5, 8.0], 3.5) - 0.5).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_line_that_falls_leaves_everything_even_from_the_limit() {
+        assert_eq!(largest_factor([5.0, 4.0, 3.0], 6.0), 1.0);
+        assert_eq!(largest_factor([5.0, 4.0, 3.0], 5.0), 1.0);
+    }
+
+    #[test]
+    fn a_quadratic_that_only_touches_the_limit_is_cut_there() {
+        // t - t², limit 1/4: t = 1/2. A rounding decides whether such a one crosses; a shorter step is the safe side.
+        assert_eq!(largest_factor([0.0, 0.25, 0.0], 0.25), 0.5);
+    }
+
+    #[test]
     fn a_falling_quadratic_leaves_everything() {
         assert_eq!(largest_factor([1.0, -3.0, -15.0], 5.0), 1.0);
     }

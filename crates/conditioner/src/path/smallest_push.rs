@@ -152,3 +152,40 @@ fn shares<const N: usize, const M: usize>(rows: &[[f64; N]; M], multipliers: &[f
     let total: f64 = parts.iter().sum();
     parts.map(|p| if total > 0.0 { p / total } else { 0.0 })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::settings::{Margin, PathSettings};
+
+    #[test]
+    fn shares_are_those_of_the_parts_of_the_push() {
+        // Parts λ ‖g‖ of 5 and 15.
+        assert_eq!(shares(&[[3.0, 4.0], [0.0, 2.0]], &[1.0, 7.5]), [0.25, 0.75]);
+        assert_eq!(shares(&[[3.0, 4.0], [0.0, 2.0]], &[0.0, 0.0]), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn sizes_are_those_of_the_terms_of_phi() {
+        let settings = PathSettings {
+            sampling_period: 0.01,
+            push_cutoff: 20.0,
+            approach: [0.5, 0.25],
+            margin: Margin::None,
+            form: PathForm::Implicit { recovery_rate: 1.0 },
+            trap: None,
+        };
+        let conditioner = PathConditioner::<2, 2>::new(settings).expect("valid settings");
+        // ‖p‖ = 5, ‖ṗ‖ = 2: |σ| + ‖∇σ‖ (‖p‖ + K ‖ṗ‖).
+        let motion = Motion { time: 0.0, position: [3.0, -4.0], velocity: [0.0, -2.0] };
+        let sample = |value, gradient| ConstraintSample {
+            value,
+            gradient,
+            time_rate: 0.0,
+            gradient_rate: [0.0; 2],
+            time_rate_rate: 0.0,
+        };
+        let now = conditioner.evaluate(motion, &|_: &Motion<2>| [sample(-7.0, [8.0, 6.0]), sample(1.0, [0.0, -3.0])]);
+        assert_eq!(conditioner.sizes(&now), [7.0 + 10.0 * 6.0, 1.0 + 3.0 * 5.5]);
+    }
+}
