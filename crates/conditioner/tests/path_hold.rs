@@ -3,7 +3,9 @@
 mod support;
 
 use slideway_conditioner::PathConditioner;
-use slideway_conditioner::path::{HoldReason, Motion, PathForm, PathOutcome, PathSettings, SwitchingLaw, Walk};
+use slideway_conditioner::path::{
+    ConstraintSample, HoldReason, Margin, Motion, PathForm, PathOutcome, PathSettings, SwitchingLaw, Walk,
+};
 use support::{
     PATH_RATE, distance, explicit, first_example, helix, helix_beside_sphere, implicit, one_ellipsoid,
     plane_and_sphere, trap_example,
@@ -38,11 +40,8 @@ fn after_a_hold_a_pushed_reference_in_motion_resumes_from_rest_where_it_stood() 
         let farthest = PERIOD * (PATH_RATE * 0.1 * 2.0_f64.sqrt() + 20.0 * (0.1 + 0.1));
         let bad = Motion { time: f64::NAN, ..reference(2500) };
         let held = conditioner.step(&mut state, &bad, plane_and_sphere).motion;
-        match form {
-            PathForm::Sliding { .. } | PathForm::Implicit { .. } => assert_eq!(held.position, before.motion.position),
-            // What to give out next was decided one sample ago.
-            PathForm::Appendix { .. } => assert!(distance(&held.position, &before.motion.position) <= farthest),
-        }
+        // In the appendix's scheme too, which has decided by then where to go next.
+        assert_eq!(held.position, before.motion.position, "{form:?}");
         for _ in 0..3 {
             let step = conditioner.step(&mut state, &bad, plane_and_sphere);
             assert_eq!(step.outcome, PathOutcome::Held(HoldReason::ReferenceNotFinite));
@@ -80,5 +79,35 @@ fn after_a_hold_the_pace_rises_from_zero_with_its_filter() {
         let risen = 1.0 - (-20.0 * 2e-4 * f64::from(k)).exp();
         assert!((step.pace - risen).abs() < 1e-13, "{} at {k}, stated {risen}", step.pace);
         assert_eq!(state.pace(), step.pace);
+    }
+}
+
+/// A constraint of the appendix's next position that cannot be read: the position before it is held, where it could be.
+#[test]
+fn the_appendix_scheme_holds_inside_although_it_has_decided_to_go_on() {
+    let settings = PathSettings::<1> {
+        sampling_period: 0.01,
+        push_cutoff: 20.0,
+        approach: [0.1],
+        margin: Margin::None,
+        form: appendix(),
+        trap: None,
+    };
+    let conditioner = PathConditioner::<1, 1>::new(settings).expect("valid settings");
+    let wall = |motion: &Motion<1>| {
+        let value = motion.position[0];
+        [ConstraintSample { value, gradient: [1.0], time_rate: 0.0, gradient_rate: [0.0], time_rate_rate: 0.0 }]
+    };
+    let blind = |motion: &Motion<1>| wall(motion).map(|s| ConstraintSample { value: f64::NAN, ..s });
+    let at = |position: f64| Motion { time: 0.0, position: [position], velocity: [0.0] };
+    for reference in [at(0.02), at(f64::NAN)] {
+        let mut state = conditioner.on_reference();
+        conditioner.step(&mut state, &at(-0.01), wall);
+        // Decides to go to 0.02 next, beyond the wall.
+        let inside = conditioner.step(&mut state, &at(0.02), wall).motion.position;
+        let held = conditioner.step(&mut state, &reference, blind);
+        assert!(matches!(held.outcome, PathOutcome::Held(_)));
+        assert_eq!(held.motion.position, inside);
+        assert!(inside[0] <= 0.0);
     }
 }

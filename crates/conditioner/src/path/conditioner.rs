@@ -156,7 +156,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     fn resume(&self, state: &mut PathState<N, M>, reference: &Motion<N>) {
         match state.phase {
             Phase::Running => {}
-            Phase::Fresh => state.last = *reference,
+            Phase::Fresh => (state.last, state.next) = (*reference, *reference),
             Phase::Held => {
                 let away = difference(&difference(&state.last.position, &reference.position), &state.trap.walk);
                 state.push = self.filter.resting(&away);
@@ -164,10 +164,10 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
                 if self.discretisation == Discretisation::ZeroOrderHold {
                     state.push.second = scaled(-1.0, &reference.velocity);
                 }
-                state.last.velocity = [0.0; N];
+                state.next = Motion { velocity: [0.0; N], ..state.last };
             }
         }
-        state.last.time = reference.time;
+        state.next.time = reference.time;
         state.phase = Phase::Running;
     }
 
@@ -175,7 +175,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     #[inline(always)]
     fn motion(&self, state: &PathState<N, M>, reference: &Motion<N>) -> Motion<N> {
         match self.discretisation {
-            Discretisation::PrewarpedTustin => state.last,
+            Discretisation::PrewarpedTustin => state.next,
             Discretisation::ZeroOrderHold => {
                 let (push, trap) = (&state.push, &state.trap);
                 Motion {
@@ -215,7 +215,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
             let position = add_scaled(&pushed, 1.0, &state.trap.walk);
             let change = difference(&position, &now.motion.position);
             let velocity = scaled(1.0 / self.settings.sampling_period, &change);
-            state.last = Motion { time: reference.time, position, velocity };
+            state.next = Motion { time: reference.time, position, velocity };
         }
         self.filter.advance(&mut state.push, push);
         match &self.trap {

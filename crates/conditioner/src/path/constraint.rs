@@ -23,7 +23,7 @@ impl<const N: usize> Motion<N> {
 
 /// What a conditioner has to know about one constraint `σ(p, t) <= 0` at one motion, and all it ever learns about it.
 ///
-/// `σ` and its gradient serve the explicit forms; the implicit form and the safe walk also use the two rates.
+/// `σ` and its gradient serve the explicit forms; the reserve, the implicit form and the safe walk also use the two rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstraintSample<const N: usize> {
     /// `σ(p, t)`: positive outside the allowed set.

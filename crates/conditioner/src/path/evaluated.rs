@@ -2,7 +2,7 @@ use super::conditioner::PathConditioner;
 use super::constraint::{ConstraintSample, Motion};
 use super::filters::Discretisation;
 use super::outcome::HoldReason;
-use super::settings::{Margin, SwitchingLaw};
+use super::settings::{Margin, PathForm, Reserve, SwitchingLaw};
 use super::vector::{finite, norm};
 
 /// Constraints at one motion, and what follows from them.
@@ -45,9 +45,13 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     /// Names the first constraint that is not finite.
     #[inline(always)]
     pub(super) fn check(&self, now: &Evaluated<N, M>) -> Result<(), HoldReason> {
-        let explicit = self.settings.form.law().is_some();
+        // The smallest push is found along the motion, whether it is the whole push or the reserve.
+        let turns = match self.settings.form {
+            PathForm::Implicit { .. } | PathForm::Sliding { reserve: Reserve::On { .. }, .. } => true,
+            PathForm::Sliding { .. } | PathForm::Appendix { .. } => false,
+        };
         for (i, (s, phi)) in now.samples.iter().zip(&now.phi).enumerate() {
-            let rates = explicit || finite(&s.gradient_rate);
+            let rates = !turns || finite(&s.gradient_rate);
             // φ is a sum over value, gradient and time rate: finite if all of them are.
             if !(rates && phi.is_finite() && finite(&s.gradient)) {
                 return Err(HoldReason::ConstraintNotFinite(i));

@@ -42,8 +42,10 @@ pub struct PathState<const N: usize, const M: usize> {
     pub(crate) trap: TrapState<N>,
     /// How far `φ_i` plus margin was above its band at the last sample, for the recovery.
     pub(crate) beyond: [f64; M],
-    /// The motion given out last; for the appendix's scheme the one to be given out next.
+    /// The motion given out last.
     pub(crate) last: Motion<N>,
+    /// The appendix's scheme: the motion to be given out next, which was decided a sample before.
+    pub(crate) next: Motion<N>,
     pub(crate) phase: Phase,
 }
 
@@ -67,7 +69,7 @@ impl<const N: usize, const M: usize> PathState<N, M> {
             remaining: 0,
             random: Random::new(seed),
         };
-        Self { push, trap, beyond: [f64::INFINITY; M], last: rest, phase: Phase::Fresh }
+        Self { push, trap, beyond: [f64::INFINITY; M], last: rest, next: rest, phase: Phase::Fresh }
     }
 
     /// Stands still at `motion`; the next sample starts from there.
