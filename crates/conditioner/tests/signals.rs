@@ -95,6 +95,14 @@ fn the_band_is_the_smaller_of_two_and_at_least_one() {
 }
 
 #[test]
+fn what_the_bands_add_for_rounding_they_add_on_the_safe_side() {
+    // The exact values of the test above, and 2.25 and 3.25 of the implicit form's change.
+    let quiet = Signals { feedback: 0.5, overspeed: 4.0, released_change: 0.125, demand_change: 0.5, ..Signals::NONE };
+    assert!(quiet.band(0.25) > 1.875 && quiet.feedforward_band(0.25) > 2.125 && quiet.chattering(0.25) > 1.5);
+    assert!(implicit_chattering(&quiet, 0.25, 2.0) > 3.5);
+}
+
+#[test]
 fn what_is_not_a_number_proves_nothing() -> Result<(), ParameterError> {
     let bad = Signals { feedback: f64::NAN, ..Signals::NONE };
     assert_eq!((bad.feedforward_band(0.25), bad.within(&bad)), (f64::INFINITY, false));
@@ -179,6 +187,26 @@ fn the_sums_of_a_motion_are_those_of_their_definitions() -> Result<(), Parameter
             && close(sums.pace, 2.25);
         assert!(right, "{sums:?}");
     }
+    Ok(())
+}
+
+#[test]
+fn a_feedforward_seen_too_small_counts_in_shift_and_pace() -> Result<(), ParameterError> {
+    let mut progress = Progress::new(ProgressForm::Explicit, 0.25);
+    // b = 3 where the path has 7.5, E = 0.5 and m = 1.75.
+    progress.update(&wide()?, &split([0.5, 0.25], [6.0, 1.0]), 0.5, 7.5);
+    let sums = progress.sums();
+    assert!(close(sums.shift, 2.25 * 1.5) && close(sums.pace, 2.25 * 2.5) && close(sums.overrun, 0.75), "{sums:?}");
+    Ok(())
+}
+
+#[test]
+fn a_reference_that_stands_at_a_cusp_is_held_back_and_not_shifted() -> Result<(), ParameterError> {
+    let mut progress = Progress::new(ProgressForm::Explicit, 0.25);
+    for _ in 0..2 {
+        progress.update(&wide()?, &split([0.0; 2], [0.0; 2]), 0.5, 0.0);
+    }
+    assert_eq!(progress.sums(), ProgressSums { held_back: 2.0, pace: 1.0, ..ProgressSums::default() });
     Ok(())
 }
 
