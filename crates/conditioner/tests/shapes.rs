@@ -140,6 +140,26 @@ fn a_shape_has_an_empty_gradient_where_it_has_none() {
 }
 
 #[test]
+fn a_position_that_is_not_a_number_has_no_value_in_any_shape() {
+    // One component is NaN, the others are at the centre: nothing of them may pass for deep inside.
+    let at = Motion { time: 0.0, position: [0.0, f64::NAN, 0.0], velocity: [0.0; 3] };
+    for side in SIDES {
+        let shapes: [&dyn Constraint<3>; 7] = [
+            &Ball::new([0.0; 3], 1.0, side).expect("valid"),
+            &Ellipsoid::new([0.0; 3], &[1.0, 2.0, 3.0], 1.0, side).expect("valid"),
+            &Cylinder::new([0.0; 3], &[0.0, 0.0, 1.0], 1.0, side).expect("valid"),
+            &SmoothBox::new([0.0; 3], [1.0; 3], 4.0, 1.0, side).expect("valid"),
+            &BoothOval::new([1.0; 3], 1.0, side).expect("valid"),
+            &HalfSpace::new(&[1.0, 0.0, 0.0], 1.0).expect("valid"),
+            &Polytope::new(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [1.0; 2], 5.0, side).expect("valid"),
+        ];
+        for (i, shape) in shapes.iter().enumerate() {
+            assert!(shape.sample(&at).value.is_nan(), "shape {i}, {side:?}");
+        }
+    }
+}
+
+#[test]
 fn every_shape_is_zero_on_its_surface_and_measures_distance_where_it_is_one() {
     let value =
         |shape: &dyn Constraint<3>, position| shape.sample(&Motion { time: 0.0, position, velocity: [0.0; 3] }).value;
