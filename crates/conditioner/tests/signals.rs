@@ -217,11 +217,14 @@ fn the_travel_bracket_is_the_formula() {
     for (inputs, lower, upper) in [
         (inputs, 3.169_709_046_974_904, 5.517_790_953_025_096),
         (TravelInputs { sample_drift: 0.0, ..inputs }, 3.281_25, 5.406_25),
+        // A drift too small for e^d to differ from 1 in 64 bits.
+        (TravelInputs { sample_drift: 1e-17, ..inputs }, 3.281_25, 5.406_25),
         (TravelInputs { sample_drift: 0.0, optimum: [0.5, 4.5], ..inputs }, 0.0, 5.406_25),
     ] {
         let bracket = travel_bracket(&inputs);
         assert!(bracket.is_some_and(|[low, high]| close(low, lower) && close(high, upper)), "{bracket:?}");
     }
     assert_eq!(travel_bracket(&TravelInputs { variation: f64::NAN, ..inputs }), None);
+    assert_eq!(travel_bracket(&TravelInputs { sample_drift: f64::NAN, ..inputs }), None);
     assert_eq!(travel_bracket(&TravelInputs { optimum: [4.0, f64::INFINITY], ..inputs }), None);
 }
