@@ -80,6 +80,27 @@ fn a_run_that_begins_braked_and_moving_counts_its_first_sample() -> Result<(), P
 }
 
 #[test]
+fn a_feedforward_that_its_feedback_hides_counts_at_the_start() -> Result<(), ParameterError> {
+    let mut band = SignalBand::new(0.25);
+    // z = 0.5 * 3 / 2 while m is (1.5 - 0.5) / 2.
+    band.update(&wide()?, &split([-0.5, 0.0], [3.0, 0.0]), 0.5, 0.0);
+    assert_eq!(band.signals().start, 0.75);
+    Ok(())
+}
+
+#[test]
+fn limits_that_shrink_count_as_a_change_of_what_they_held() -> Result<(), ParameterError> {
+    let mut band = SignalBand::new(0.25);
+    band.update(&wide()?, &split([0.0; 2], [2.0, 0.0]), 0.5, 1.0);
+    // One limit to a quarter, κ = 4, with m = 1/2 before: (1 - a)(f |ΔB| + 3 m) is 3/4 (1/2 * 1 + 3/2).
+    band.update(&SpeedLimits::new([-0.5, -4.0], [0.5, 2.0])?, &split([0.0; 2], [2.5, 0.0]), 0.625, 1.0);
+    let rise = 5.0_f64.ln();
+    let changes = Signals { rise, released_change: 1.5, demand_change: 0.5, overspeed: 5.0, ..Signals::NONE };
+    assert_signals(band.signals(), changes);
+    Ok(())
+}
+
+#[test]
 fn the_band_is_the_smaller_of_two_and_at_least_one() {
     let quiet = Signals { feedback: 0.5, overspeed: 4.0, released_change: 0.125, ..Signals::NONE };
     // By vector: 1 - 1/4 + 1/8 + 1; by length 0.5 + 0.75 * 1.5 + 1.
