@@ -88,12 +88,13 @@ impl<const N: usize> ImplicitSpeedRegulator<N> {
         let allowed = regulator.limits.largest_factor(&desired.feedback, &desired.feedforward).unwrap_or(0.0);
         state.set(regulator.filter.next(before, 1.0).min(allowed));
         let factor = state.factor();
-        // A feedforward that is not finite gives f* = 0, and 0 * infinity is NaN: the joints then stand still as well.
+        // A feedforward that is not finite gives f* = 0, and 0 * infinity is NaN: the joints then stand still like the reference. With
+        // f > 0 the speed is finite, for f is at most room / B at every joint.
         let speed = desired.at(factor);
         let saturated = regulator.limits.saturate(&speed, regulator.saturation);
         SpeedCommand {
             joint_speed: saturated.joint_speed,
-            path_rate: if saturated.direction_factor > 0.0 { factor * regulator.target_rate } else { 0.0 },
+            path_rate: factor * regulator.target_rate,
             factor,
             switch: 1.0 - (regulator.filter.next(before, 1.0) - factor) / step,
             direction_factor: saturated.direction_factor,

@@ -43,6 +43,29 @@ fn the_drifting_band_is_the_formula_where_the_filter_reaches_and_nothing_elsewhe
     assert_eq!(drifting_band(f64::NAN, 3.0, 0.005), None);
 }
 
+/// The last number accepted on the way from one that is to one that is not.
+fn edge(mut accepted: f64, mut refused: f64, accepts: impl Fn(f64) -> bool) -> f64 {
+    while (accepted - refused).abs() > f64::EPSILON * accepted {
+        let middle = 0.5 * (accepted + refused);
+        *(if accepts(middle) { &mut accepted } else { &mut refused }) = middle;
+    }
+    accepted
+}
+
+#[test]
+fn a_condition_that_rounding_could_decide_is_taken_for_unmet() {
+    for step in [0.01_f64, 0.1, 0.3] {
+        // L Ts λ̇*max M < -ln(1 - a), strictly, at the largest drift that has a band.
+        let reach = -(-step).ln_1p();
+        let drift = edge(0.0, reach, |drift| drifting_band(step, 3.0, drift).is_some());
+        assert!(drifting_band(step, 3.0, drift).is_some_and(|band| drift * band < reach), "{step}: {drift}");
+        // r (1 - r) < a g_min, strictly, at the smallest overspeed that has a bracket.
+        let ratio = (1.0 - step) * (-0.3_f64).exp();
+        let overspeed = edge(100.0, 0.0, |overspeed| time_bracket(step, overspeed, 0.3, 0.0).is_some());
+        assert!(ratio * (1.0 - ratio) < step * overspeed, "{step}: {overspeed}");
+    }
+}
+
 #[test]
 fn the_switch_acts_once_the_filter_has_risen_to_the_limit() {
     // g = 2, a = 1/4: 2 (1 - (3/4)^k) is 0.875 after two samples, 1.156 after three.
@@ -99,6 +122,9 @@ fn lag_rates_and_band_of_the_loop_are_those_of_the_formulas() {
         // The quadratic has a larger root as well; the smaller one counts.
         (slow, 0.041_833_564_791_095_526, 1.784_612_829_827_311_2, 1.562_750_347_186_643_3, 1.668_141_856_567_205),
         (both_at_work, 16.0, 4.0, 4.0, 52.0),
+        // Both minima at work below the quadratic's root, 7/9; and a start beyond its larger root, 5.3: E = x λ̇d² either way.
+        (FeedbackLoop { curvature: 0.5, ..both_at_work }, 0.5, 4.0, 4.0, 2.0),
+        (FeedbackLoop { target_rate: 16.0, initial_lag: 6.0, ..LOOP }, 8.0, 16.0, 16.0, 64.0),
         // Gain steps below and above the filter step; the released entry of M decides in the first four.
         (
             FeedbackLoop { filter_step: 0.5, initial_lag: 0.25, ..LOOP },
@@ -134,10 +160,36 @@ fn lag_rates_and_band_of_the_loop_are_those_of_the_formulas() {
 }
 
 #[test]
+fn a_planted_lag_is_found_however_small_or_large() {
+    let (small, large) = ((-36..0).map(|k| 10.0_f64.powf(0.25 * f64::from(k))), (1..400).map(|k| 0.25 * f64::from(k)));
+    for lag in small.chain(large) {
+        // E = x ρ P with ρ = (1 + E) λ̇*max and P = (1 - a) ρ + a λ̇d, both below λ̇d, solved for x.
+        let (y, step) = (1.0 + lag, 0.25);
+        let target = 8.0 * y * y;
+        let half = lag / (y * ((1.0 - step) * y + step * target));
+        let curvature = 2.0 * half / LOOP.sampling_period;
+        let system = FeedbackLoop { filter_step: step, target_rate: target, path_rate_max: 1.0, curvature, ..LOOP };
+        let found = drifting_band_with_feedback(&system).map_or(f64::NAN, |b| b.lag);
+        // Upwards only. What is added for rounding, 1e-13 of x and of 1 + E, grows by 1 / (1 - d(x ρ P)/dE), about 1 + E.
+        assert!(lag <= found && found <= lag + 1e-12 * y * y, "{found} instead of {lag}");
+    }
+}
+
+#[test]
+fn what_the_bounds_of_a_loop_add_for_rounding_they_add_on_the_safe_side() {
+    // E = x λ̇d² = 8 and M = 64 in exact numbers; without curvature, M = 1 + a (g - 1) + 0.
+    let fast = FeedbackLoop { target_rate: 16.0, initial_lag: 6.0, ..LOOP };
+    assert!(drifting_band_with_feedback(&fast).is_some_and(|b| b.lag > 8.0 && b.limit_ratio > 64.0));
+    let straight = FeedbackLoop { curvature: 0.0, ..LOOP };
+    assert!(drifting_band_with_feedback(&straight).is_some_and(|b| b.lag == 0.0 && b.limit_ratio > 1.75));
+}
+
+#[test]
 fn a_loop_with_a_number_out_of_range_has_no_band() {
     let bad = f64::NAN;
     for system in [
         FeedbackLoop { filter_step: 0.0, ..LOOP },
+        FeedbackLoop { filter_step: 0.0, curvature: 0.0, gain: 0.0, ..LOOP },
         FeedbackLoop { filter_step: 1.25, ..LOOP },
         FeedbackLoop { gain: -1.0, ..LOOP },
         FeedbackLoop { gain: 9.0, ..LOOP },

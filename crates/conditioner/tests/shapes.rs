@@ -140,6 +140,26 @@ fn a_shape_has_an_empty_gradient_where_it_has_none() {
 }
 
 #[test]
+fn a_position_that_is_not_a_number_has_no_value_in_any_shape() {
+    // One component is NaN, the others are at the centre: nothing of them may pass for deep inside.
+    let at = Motion { time: 0.0, position: [0.0, f64::NAN, 0.0], velocity: [0.0; 3] };
+    for side in SIDES {
+        let shapes: [&dyn Constraint<3>; 7] = [
+            &Ball::new([0.0; 3], 1.0, side).expect("valid"),
+            &Ellipsoid::new([0.0; 3], &[1.0, 2.0, 3.0], 1.0, side).expect("valid"),
+            &Cylinder::new([0.0; 3], &[0.0, 0.0, 1.0], 1.0, side).expect("valid"),
+            &SmoothBox::new([0.0; 3], [1.0; 3], 4.0, 1.0, side).expect("valid"),
+            &BoothOval::new([1.0; 3], 1.0, side).expect("valid"),
+            &HalfSpace::new(&[1.0, 0.0, 0.0], 1.0).expect("valid"),
+            &Polytope::new(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [1.0; 2], 5.0, side).expect("valid"),
+        ];
+        for (i, shape) in shapes.iter().enumerate() {
+            assert!(shape.sample(&at).value.is_nan(), "shape {i}, {side:?}");
+        }
+    }
+}
+
+#[test]
 fn every_shape_is_zero_on_its_surface_and_measures_distance_where_it_is_one() {
     let value =
         |shape: &dyn Constraint<3>, position| shape.sample(&Motion { time: 0.0, position, velocity: [0.0; 3] }).value;
@@ -166,11 +186,11 @@ fn every_shape_is_zero_on_its_surface_and_measures_distance_where_it_is_one() {
 fn a_moving_shape_is_where_its_trajectory_says() {
     let shape = || Ball::new([0.0; 3], 1.0, Side::Inside).expect("valid");
     let at = Motion { time: 0.5, position: [4.0, 0.0, 0.0], velocity: [0.0; 3] };
-    // ω t + ψ = π/2 + π/6: the sine is cos(π/6).
-    let (frequency, phase) = (std::f64::consts::PI, std::f64::consts::FRAC_PI_6);
+    // ω t + ψ = π/3 + π/6: the sine is 1, the displacement 2.
+    let (frequency, phase) = (2.0 * std::f64::consts::FRAC_PI_3, std::f64::consts::FRAC_PI_6);
     let swing = Oscillation { amplitude: [2.0, 0.0, 0.0], frequency, phase };
     let swung = Moving { shape: shape(), trajectory: swing }.sample(&at);
-    assert!((swung.value - (3.0 - 3.0_f64.sqrt())).abs() < 1e-14, "{swung:?}");
+    assert!((swung.value - 1.0).abs() < 1e-14, "{swung:?}");
     // 4 - (2 t + 8 t²/2) = 2 with t = 1/2: distance 2 from the centre; it comes nearer at 2 + 8 t = 6.
     let drift = UniformMotion { velocity: [2.0, 0.0, 0.0], acceleration: [8.0, 0.0, 0.0] };
     let drifted = Moving { shape: shape(), trajectory: drift }.sample(&at);

@@ -80,6 +80,27 @@ fn a_run_that_begins_braked_and_moving_counts_its_first_sample() -> Result<(), P
 }
 
 #[test]
+fn a_feedforward_that_its_feedback_hides_counts_at_the_start() -> Result<(), ParameterError> {
+    let mut band = SignalBand::new(0.25);
+    // z = 0.5 * 3 / 2 while m is (1.5 - 0.5) / 2.
+    band.update(&wide()?, &split([-0.5, 0.0], [3.0, 0.0]), 0.5, 0.0);
+    assert_eq!(band.signals().start, 0.75);
+    Ok(())
+}
+
+#[test]
+fn limits_that_shrink_count_as_a_change_of_what_they_held() -> Result<(), ParameterError> {
+    let mut band = SignalBand::new(0.25);
+    band.update(&wide()?, &split([0.0; 2], [2.0, 0.0]), 0.5, 1.0);
+    // One limit to a quarter, κ = 4, with m = 1/2 before: (1 - a)(f |ΔB| + 3 m) is 3/4 (1/2 * 1 + 3/2).
+    band.update(&SpeedLimits::new([-0.5, -4.0], [0.5, 2.0])?, &split([0.0; 2], [2.5, 0.0]), 0.625, 1.0);
+    let rise = 5.0_f64.ln();
+    let changes = Signals { rise, released_change: 1.5, demand_change: 0.5, overspeed: 5.0, ..Signals::NONE };
+    assert_signals(band.signals(), changes);
+    Ok(())
+}
+
+#[test]
 fn the_band_is_the_smaller_of_two_and_at_least_one() {
     let quiet = Signals { feedback: 0.5, overspeed: 4.0, released_change: 0.125, ..Signals::NONE };
     // By vector: 1 - 1/4 + 1/8 + 1; by length 0.5 + 0.75 * 1.5 + 1.
@@ -92,6 +113,14 @@ fn the_band_is_the_smaller_of_two_and_at_least_one() {
     assert!(close(started.feedforward_band(0.25), 5.0) && close(started.band(0.25), 5.0));
     assert_eq!(Signals::NONE.band(0.25), 1.0);
     assert!(close(Signals { overspeed: 4.0, demand_change: 0.5, ..Signals::NONE }.chattering(0.25), 1.5));
+}
+
+#[test]
+fn what_the_bands_add_for_rounding_they_add_on_the_safe_side() {
+    // The exact values of the test above, and 2.25 and 3.25 of the implicit form's change.
+    let quiet = Signals { feedback: 0.5, overspeed: 4.0, released_change: 0.125, demand_change: 0.5, ..Signals::NONE };
+    assert!(quiet.band(0.25) > 1.875 && quiet.feedforward_band(0.25) > 2.125 && quiet.chattering(0.25) > 1.5);
+    assert!(implicit_chattering(&quiet, 0.25, 2.0) > 3.5);
 }
 
 #[test]
@@ -183,17 +212,40 @@ fn the_sums_of_a_motion_are_those_of_their_definitions() -> Result<(), Parameter
 }
 
 #[test]
+fn a_feedforward_seen_too_small_counts_in_shift_and_pace() -> Result<(), ParameterError> {
+    let mut progress = Progress::new(ProgressForm::Explicit, 0.25);
+    // b = 3 where the path has 7.5, E = 0.5 and m = 1.75.
+    progress.update(&wide()?, &split([0.5, 0.25], [6.0, 1.0]), 0.5, 7.5);
+    let sums = progress.sums();
+    assert!(close(sums.shift, 2.25 * 1.5) && close(sums.pace, 2.25 * 2.5) && close(sums.overrun, 0.75), "{sums:?}");
+    Ok(())
+}
+
+#[test]
+fn a_reference_that_stands_at_a_cusp_is_held_back_and_not_shifted() -> Result<(), ParameterError> {
+    let mut progress = Progress::new(ProgressForm::Explicit, 0.25);
+    for _ in 0..2 {
+        progress.update(&wide()?, &split([0.0; 2], [0.0; 2]), 0.5, 0.0);
+    }
+    assert_eq!(progress.sums(), ProgressSums { held_back: 2.0, pace: 1.0, ..ProgressSums::default() });
+    Ok(())
+}
+
+#[test]
 fn the_travel_bracket_is_the_formula() {
     let sums = ProgressSums { feedback: 2.0, overrun: 0.5, shift: 0.25, held_back: 3.0, pace: 1.5 };
     let inputs = TravelInputs { sums, optimum: [4.0, 4.5], period: 0.125, variation: 2.0, sample_drift: 0.5 };
     for (inputs, lower, upper) in [
         (inputs, 3.169_709_046_974_904, 5.517_790_953_025_096),
         (TravelInputs { sample_drift: 0.0, ..inputs }, 3.281_25, 5.406_25),
+        // A drift too small for e^d to differ from 1 in 64 bits.
+        (TravelInputs { sample_drift: 1e-17, ..inputs }, 3.281_25, 5.406_25),
         (TravelInputs { sample_drift: 0.0, optimum: [0.5, 4.5], ..inputs }, 0.0, 5.406_25),
     ] {
         let bracket = travel_bracket(&inputs);
         assert!(bracket.is_some_and(|[low, high]| close(low, lower) && close(high, upper)), "{bracket:?}");
     }
     assert_eq!(travel_bracket(&TravelInputs { variation: f64::NAN, ..inputs }), None);
+    assert_eq!(travel_bracket(&TravelInputs { sample_drift: f64::NAN, ..inputs }), None);
     assert_eq!(travel_bracket(&TravelInputs { optimum: [4.0, f64::INFINITY], ..inputs }), None);
 }

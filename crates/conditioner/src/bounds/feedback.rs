@@ -95,9 +95,10 @@ impl FeedbackLoop {
         let square = half * slow * slow * (1.0 - a);
         let linear = 1.0 - half * slow * a * self.target_rate;
         let root = 2.0 / (linear + sqrt(linear * linear - 4.0 * square)) - 1.0;
-        // The root itself is rounded; a NaN or a root below the start leaves the bound that always holds.
+        // The root itself is rounded. No root (NaN), the root below -1 of a negative linear term, and a start beyond the larger root leave
+        // the bound that always holds.
         let root = root + 1e-13 * (1.0 + root);
         let always = half * self.target_rate * self.target_rate;
-        if linear > 0.0 && root >= self.initial_lag && root < always && keeps(root) { root } else { always }
+        if root >= self.initial_lag && keeps(root) { root.min(always) } else { always }
     }
 }

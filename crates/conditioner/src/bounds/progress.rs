@@ -1,4 +1,4 @@
-use libm::{exp, fabs};
+use libm::{expm1, fabs};
 
 use super::signal::{larger, narrow};
 use crate::implicit::AffineSpeed;
@@ -127,7 +127,8 @@ pub struct TravelInputs {
 #[must_use]
 pub fn travel_bracket(inputs: &TravelInputs) -> Option<[f64; 2]> {
     let TravelInputs { sums, optimum: [least, most], period, variation, sample_drift } = *inputs;
-    let growth = if sample_drift > 0.0 { (exp(sample_drift) - 1.0) / sample_drift } else { 1.0 };
+    // NaN goes to the quotient, which keeps it.
+    let growth = if sample_drift <= 0.0 { 1.0 } else { expm1(sample_drift) / sample_drift };
     let between = sums.pace * variation * growth + sums.shift;
     let lower = least - period * (between + sums.feedback + sums.overrun);
     let upper = most + period * (between + sums.held_back + 1.0);

@@ -51,12 +51,12 @@ impl<const N: usize> Shape<N> for SmoothBox<N> {
     fn local(&self, position: &[f64; N], direction: &[f64; N]) -> Local<N> {
         let m = self.exponent;
         let y = self.offsets(position);
-        // Powers of ratios at most 1: no overflow, however far away.
-        let longest = y.iter().fold(0.0_f64, |a, &b| a.max(fabs(b)));
-        if longest <= 0.0 {
+        if y.iter().all(|&x| x == 0.0) {
             let nothing = Local { value: -self.scale, gradient: [0.0; N], curvature: [0.0; N] };
             return self.side.orient(nothing);
         }
+        // Powers of ratios at most 1: no overflow, however far away. A NaN, which the maximum drops, stays in the sum.
+        let longest = y.iter().fold(0.0_f64, |a, &b| a.max(fabs(b)));
         let h = longest * pow(y.iter().map(|&x| pow(fabs(x) / longest, m)).sum(), 1.0 / m);
         let mut gradient = [0.0; N];
         let mut diagonal = [0.0; N];
