@@ -15,12 +15,17 @@ pub use time::{TimeBracket, time_bracket};
 
 use libm::{exp, log1p};
 
+/// The number if it is positive, 0 if it is not, NaN if it is NaN, which `f64::max` would turn into 0: a bound of what is not known.
+pub(crate) fn positive_part(x: f64) -> f64 {
+    if x <= 0.0 { 0.0 } else { x }
+}
+
 /// Largest `m` on a frozen path (claim `frozen-band`): `1 + a (g - 1)` for `g >= 1`, at most 1 otherwise.
 ///
 /// Hypotheses: zero tracking error, `g` constant, `m <= 1` at the first sample.
 #[must_use]
 pub fn frozen_band(filter_step: f64, overspeed: f64) -> f64 {
-    1.0 + filter_step * (overspeed - 1.0).max(0.0)
+    1.0 + filter_step * positive_part(overspeed - 1.0)
 }
 
 /// Largest `m` on a drifting path (claim `drifting-band`), or `None` where the reaching condition fails.
@@ -43,7 +48,7 @@ pub fn drifting_band(filter_step: f64, overspeed_max: f64, drift: f64) -> Option
 #[must_use]
 pub fn delayed_frozen_band(filter_step: f64, overspeed: f64, delay: u32) -> f64 {
     let reach = -libm::expm1((f64::from(delay) + 1.0) * log1p(-filter_step));
-    1.0 + reach * (overspeed - 1.0).max(0.0)
+    1.0 + reach * positive_part(overspeed - 1.0)
 }
 
 /// Largest `m` on a frozen path with feedback (claim `feedback-band`): `1 + a g - Kp Ts`, or `None` unless `af >= Kp`.

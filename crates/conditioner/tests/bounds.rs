@@ -289,3 +289,31 @@ fn the_active_set_ends_within_a_step_for_every_set_and_member() {
     assert_eq!(largest_step_count(24), 25 << 24);
     assert_eq!([63, 64, 100].map(largest_step_count), [64 << 24, 64 << 24, 64 << 24]);
 }
+
+#[test]
+fn a_bound_of_what_is_not_known_is_not_known() {
+    let nan = f64::NAN;
+    for value in [
+        frozen_band(nan, 2.0),
+        frozen_band(0.25, nan),
+        delayed_frozen_band(nan, 2.0, 1),
+        delayed_frozen_band(0.25, nan, 1),
+        chattering_estimate(nan, 0.25, 2.0),
+        chattering_bound(1.0, nan, 0.0),
+        chattering_bound(1.0, 0.0, nan),
+        path::band(nan, 0.0, 1.0).lower,
+        path::band(1.0, nan, 1.0).lower,
+        path::band(1.0, 0.0, nan).upper,
+        path::appendix_upper_band(nan, 1.0),
+        path::appendix_upper_band(1.0, nan),
+        path::pair_push(nan, 0.5),
+        path::pair_push(1.0, nan),
+        path::between_samples(nan, 1.0),
+        path::between_samples(0.1, nan),
+        path::recovery_time(nan, 0.1, 1.0, 0.1),
+        path::required_gain(&[nan, 1.0]),
+        path::required_gain(&[1.0, nan]),
+    ] {
+        assert!(value.is_nan(), "{value}");
+    }
+}

@@ -4,6 +4,7 @@
 //! largest.
 
 use super::filters::{Discretisation, PushFilter};
+use crate::bounds::positive_part;
 
 /// The paper's chattering band, `[G12] eq 22`: `T α1² K ‖u_SM‖ ‖∇σ‖`. An estimate of the width, not a bound on `φ`.
 #[must_use]
@@ -35,20 +36,20 @@ pub struct Band {
 /// [`pair_push`] for `G`.
 #[must_use]
 pub fn band(push: f64, drift_min: f64, drift_max: f64) -> Band {
-    Band { lower: -(push - drift_min).max(0.0), upper: drift_max.max(0.0) }
+    Band { lower: -positive_part(push - drift_min), upper: positive_part(drift_max) }
 }
 
 /// Upper band of `φ` in the appendix's scheme, where a push takes effect over three samples (0, 1/4, 3/4 of it):
 /// `D̄ + (D̄ - G/4)⁺ + (D̄ - 3G/4)⁺` (claim `path-band-appendix`).
 #[must_use]
 pub fn appendix_upper_band(push: f64, drift_max: f64) -> f64 {
-    drift_max.max(0.0) + (drift_max - 0.25 * push).max(0.0) + (drift_max - 0.75 * push).max(0.0)
+    positive_part(drift_max) + positive_part(drift_max - 0.25 * push) + positive_part(drift_max - 0.75 * push)
 }
 
 /// What one constraint feels of a push shared by two: `G √((1 + c) / 2)`, `c` the cosine between the gradients.
 #[must_use]
 pub fn pair_push(push: f64, cosine: f64) -> f64 {
-    push * libm::sqrt((0.5 * (1.0 + cosine)).max(0.0))
+    push * libm::sqrt(positive_part(0.5 * (1.0 + cosine)))
 }
 
 /// How far `φ` can rise between two samples at which it is not positive: `T² sup |φ̈| / 8`. `σ` rises no further.
@@ -77,5 +78,5 @@ pub fn recovery_time(outside: f64, margin: f64, rate: f64, approach: f64) -> f64
 /// `min ‖u‖²` subject to `L_f φ + L_g φ u <= 0`, which the equivalent control attains (claim `path-equivalence`).
 #[must_use]
 pub fn required_gain<const M: usize>(multipliers: &[f64; M]) -> f64 {
-    multipliers.iter().fold(0.0, |a, &b| a.max(b))
+    multipliers.iter().fold(0.0, |most, &b| if b <= most || most.is_nan() { most } else { b })
 }
