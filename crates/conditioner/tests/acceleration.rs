@@ -29,6 +29,8 @@ fn a_path_that_goes_on_without_a_moving_joint_must_be_left() -> Result<(), Param
     // Joint 1 cannot lose more than 2 rad/s² times 1 ms, so whatever f is, it is 0.998 rad/s away from the ray.
     assert!(matches!(command.keeping, PathKeeping::LeavesPath { excess } if (excess - 0.998).abs() < 1e-12));
     assert_eq!(command.joint_speed[0], 1.0 + TS * -2.0);
+    // No factor brings it nearer: the reference stands, and so does joint 2.
+    assert_eq!((command.factor, command.joint_speed[1]), (0.0, 0.0));
     Ok(())
 }
 

@@ -181,7 +181,7 @@ fn a_preview_that_begins_ahead_of_the_robot_or_does_not_advance_allows_no_speed(
     let plan = plan(1e-3, 5.0)?;
     let (nodes, mut ranges) = ([[1.0; 2]; 4], [1.0; 4]);
     for (offset, spacing) in
-        [(-1e-3, 0.1), (0.0, 0.0), (0.0, -0.1), (0.0, f64::INFINITY), (f64::INFINITY, 0.1), (0.75, 0.25)]
+        [(-1e-4, 0.1), (0.0, 0.0), (0.0, -0.1), (0.0, f64::INFINITY), (f64::INFINITY, 0.1), (0.75, 0.25)]
     {
         let preview = Preview { offset, spacing, path_speeds: &nodes };
         assert_eq!(plan.greatest_rate(&preview), 0.0, "{preview:?}");

@@ -153,6 +153,18 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_joint_without_feedforward_leaves_every_factor_if_its_box_holds_the_feedback_and_none_if_not() {
+        let reachable = Reachable { lower: [-0.25, 0.125], upper: [0.5, 0.75] };
+        for (feedback, is_held) in [(-0.3125, false), (-0.25, true), (0.0, true), (0.5, true), (0.5625, false)] {
+            for none in [0.0, -0.0] {
+                let desired = AffineSpeed { feedback: [feedback, 0.0], feedforward: [none, 1.0] };
+                let left = is_held.then_some(Admissible { least: 0.125, greatest: 0.75 });
+                assert_eq!(Admissible::new(&desired, &reachable), left, "{feedback}");
+            }
+        }
+    }
+
     /// Joint `k` asks for `f - c` and exceeds its box by `(|f - c| - w / 2) / 8^k`: between its roots `c - w / 2` and `c + w / 2` not at all.
     /// The roots of each lie inside those of the one before, beyond their middle, so that the two lines of one joint meet
     /// where the left line of the next is the highest, and that one meets the right line where its own right one is.
