@@ -21,6 +21,10 @@ impl Default for NumericIkSettings {
 /// Keeps the normal equations positive definite at an exact singularity: rounding of `J Jᵀ`, whose entries are of size 1.
 const SMALLEST_DAMPING: f64 = 1e-15;
 
+/// Errors below this share of the tolerance are not polished. Of tolerances from 1e-10 m on it is rounding of places of a metre and more;
+/// of smaller ones it is out of reach, and the polishing step is always made.
+const AT_ROUNDING: f64 = 1e-5;
+
 /// A joint position on the way to the answer, and what is known there.
 struct Iterate<const N: usize> {
     q: JointVector<N>,
@@ -62,7 +66,8 @@ impl<'a, const N: usize> NumericIk<'a, N> {
         let mut boost = 1.0;
         for _ in 0..self.settings.max_iterations {
             if self.small(&at.error) {
-                return Ok(self.polish(pose, &at));
+                let done = at.error.amax() <= AT_ROUNDING * self.settings.position_tolerance;
+                return Ok(if done { at.q } else { self.polish(pose, &at) });
             }
             let damping = boost * 0.5 * at.error.norm_squared() + SMALLEST_DAMPING;
             let trial = self.iterate(pose, at.q + self.step(&at, damping));

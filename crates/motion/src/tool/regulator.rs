@@ -155,11 +155,13 @@ impl<const N: usize> Regulator<N> {
         let begun = state.place + 0.5 * self.period * state.rate;
         let seen = self.seen_from((begun + self.reserve).min(1.0));
         let mut next = state.rate;
+        let mut seed = state.q;
         let (mut ahead, mut command);
         let mut round = 0;
         loop {
             let coming = curve.at((begun + 0.5 * self.period * next).clamp(0.0, 1.0));
-            ahead = along(kinematics, &coming, &state.q)?;
+            ahead = along(kinematics, &coming, &seed)?;
+            seed = ahead.q;
             let natural = self.ceiling.rate(kinematics, &coming, &ahead.q);
             let ceiling = self.end_within(begun, pace, pace * seen.min(natural));
             let demand = AffineSpeed { feedback: [0.0; N], feedforward: (ahead.qd * self.target_rate).into() };

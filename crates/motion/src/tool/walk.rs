@@ -29,7 +29,9 @@ pub(super) fn walk<const N: usize>(
     for (index, node) in nodes.iter_mut().enumerate() {
         let u = place(index);
         let at_fault = |cause| curve.fault(u, cause);
-        *node = along(kinematics, &curve.at(u), &before.q).map_err(at_fault)?;
+        // Off by the third derivative: one step of the inverse kinematics is enough.
+        let seed = before.q + before.qd * place(1) + before.qdd * (0.5 * place(1) * place(1));
+        *node = along(kinematics, &curve.at(u), &seed).map_err(at_fault)?;
         check(limits, &before, node, place(1)).map_err(at_fault)?;
         before = *node;
     }
