@@ -116,7 +116,11 @@ fn a_shape_that_cannot_be_is_refused_by_name() {
     refused(Ball::new([0.0; 3], 0.0, Side::Inside).err(), ShapeParameter::Radius);
     refused(Ball::new([0.0, f64::NAN, 0.0], 1.0, Side::Inside).err(), ShapeParameter::Coordinate(1));
     refused(HalfSpace::new(&[0.0; 3], 1.0).err(), ShapeParameter::DirectionLength);
-    refused(Ellipsoid::new([0.0; 3], &[1.0, -1.0, 1.0], 1.0, Side::Inside).err(), ShapeParameter::SemiAxis(1));
+    for length in [-1.0, 0.0, f64::NAN] {
+        refused(Ellipsoid::new([0.0; 3], &[1.0, length, 1.0], 1.0, Side::Inside).err(), ShapeParameter::SemiAxis(1));
+        let smooth = SmoothBox::new([0.0; 3], [1.0, 1.0, length], 2.0, 1.0, Side::Inside);
+        refused(smooth.err(), ShapeParameter::SemiAxis(2));
+    }
     refused(SmoothBox::new([0.0; 3], [1.0; 3], 1.5, 1.0, Side::Inside).err(), ShapeParameter::Exponent);
     refused(BoothOval::new([1.0, 0.0, 1.0], 1.0, Side::Inside).err(), ShapeParameter::Weight(1));
     refused(Cylinder::new([0.0; 3], &[0.0; 3], 1.0, Side::Inside).err(), ShapeParameter::DirectionLength);

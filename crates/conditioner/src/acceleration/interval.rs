@@ -52,7 +52,8 @@ impl<const N: usize> Interval<N> {
         let mut x = self.cap;
         let range = 2.0 * self.length * share;
         let mut rows = [[Lines { slope: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY }; 2]; N];
-        for (pair, ((&v0, &v1), (&lo, &up))) in rows.iter_mut().zip(self.joints(limits)) {
+        let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
+        for (pair, ((&v0, &v1), (&lo, &up))) in rows.iter_mut().zip(joints) {
             for (lines, [of_y, of_x]) in pair.iter_mut().zip(coefficients(v0, v1)) {
                 match row(of_y, of_x, lo, up, range) {
                     Some(found) => *lines = found,
@@ -71,7 +72,8 @@ impl<const N: usize> Interval<N> {
         }
         let range = 2.0 * self.length * share;
         let (mut low, mut high) = (0.0_f64, self.allowed);
-        for ((&v0, &v1), (&lo, &up)) in self.joints(limits) {
+        let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
+        for ((&v0, &v1), (&lo, &up)) in joints {
             for [of_y, of_x] in coefficients(v0, v1) {
                 let (moved, inverse) = (of_x * x, 1.0 / of_y);
                 let ends = [range * lo - moved, range * up - moved];
@@ -84,14 +86,6 @@ impl<const N: usize> Interval<N> {
             }
         }
         low <= high
-    }
-
-    /// Path speeds at both ends and the limits, joint by joint.
-    fn joints<'a>(
-        &'a self,
-        limits: &'a AccelerationLimits<N>,
-    ) -> impl Iterator<Item = ((&'a f64, &'a f64), (&'a f64, &'a f64))> {
-        self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()))
     }
 
     fn newton(&self, rows: &[[Lines; 2]; N], from: f64) -> f64 {

@@ -164,7 +164,8 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
                 if self.discretisation == Discretisation::ZeroOrderHold {
                     state.push.second = scaled(-1.0, &reference.velocity);
                 }
-                state.next = Motion { velocity: [0.0; N], ..state.last };
+                // At rest, as every held motion is.
+                state.next = state.last;
             }
         }
         state.next.time = reference.time;
