@@ -55,7 +55,12 @@ impl Observer {
     ///
     /// The inverse kinematics fails at a place it passed while tracing.
     pub fn for_speed(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        Ok(Self { kind: Kind::Speed(Box::new(speed_loop::observed_loop(scenario, experiment, method)?)) })
+        Ok(Self::of_loop(speed_loop::observed_loop(scenario, experiment, method)?))
+    }
+
+    /// For runs in a loop already looked at.
+    pub(crate) fn of_loop(looked: Loop) -> Self {
+        Self { kind: Kind::Speed(Box::new(looked)) }
     }
 
     /// For runs of a conditioning scenario.

@@ -4,11 +4,11 @@ use super::Statement;
 use super::entry::{ROOM, room};
 use super::path_drift::Asked;
 use super::signals::{Loop, SETTLED, SpeedMeasures, SpeedSignals};
-use super::speed_declared::Declared;
+use super::speed_declared::declared;
 use super::speed_loop::loop_on;
 use crate::error::VerifyError;
 use slideway_conditioner::bounds::Signals;
-use slideway_lab::{Experiment, Method, SampledPath, Scenario};
+use slideway_lab::{Experiment, Method, SampledPath, Scenario, Trace};
 
 /// What a statement about a speed law rests on, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,21 +33,30 @@ pub(crate) struct SpeedNumbers {
 
 /// Everything a statement is assembled from.
 pub(crate) struct SpeedCase {
+    pub(crate) experiment: Experiment,
+    /// The run without a trial's disturbances.
+    pub(crate) trace: Trace,
     pub(crate) looked: Loop,
     pub(crate) numbers: SpeedNumbers,
     pub(crate) asked: Asked,
     pace: f64,
     pub(crate) nominal: SpeedSignals,
     pub(crate) measures: SpeedMeasures,
-    pub(crate) declared: Declared,
+    /// What the bounds are stated for.
+    pub(crate) declared: SpeedSignals,
     pub(crate) optimum: [f64; 2],
     pub(crate) acceleration: Option<Vec<f64>>,
     pub(crate) peak_acceleration: Vec<f64>,
-    varying: bool,
+    /// Whether speed limits hold at some places only, or limit the tool: the law's own bounds know nothing of them.
+    pub(crate) varying: bool,
 }
+
 impl SpeedCase {
-    pub(crate) fn new(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        let (looked, path) = loop_on(scenario, experiment, method)?;
+    /// For a method, or the one that `compare` judges.
+    pub(crate) fn new(scenario: &Scenario, method: Option<Method>) -> Result<Self, VerifyError> {
+        let experiment = Experiment::new(scenario)?;
+        let method = method.map_or_else(|| experiment.judged_method(scenario), Ok)?;
+        let (looked, path) = loop_on(scenario, &experiment, method)?;
         let trace = experiment.run(method)?;
         let (nominal, measures) = (looked.signals(&trace), looked.measures(&trace));
         let ([optimum_s, lower_s, upper_s], closed) = (looked.optimum, path.speed_limited_time());
@@ -66,7 +75,7 @@ impl SpeedCase {
         };
         let peak_acceleration = slideway_lab::MethodSummary::new(&trace).peak_acceleration;
         Ok(Self {
-            declared: Declared::new(&nominal, &looked, &asked),
+            declared: declared(&nominal, &looked, &asked),
             numbers,
             asked,
             pace,
@@ -76,6 +85,8 @@ impl SpeedCase {
             acceleration: path.acceleration.clone(),
             peak_acceleration,
             varying: limits_vary(&path),
+            experiment,
+            trace,
             looked,
         })
     }
@@ -135,9 +146,7 @@ impl Statement {
     ///
     /// A scenario that cannot be used, or a path without an optimum.
     pub fn for_speed(scenario: &Scenario, method: Option<Method>) -> Result<Self, VerifyError> {
-        let experiment = Experiment::new(scenario)?;
-        let method = method.map_or_else(|| experiment.judged_method(scenario), Ok)?;
-        Ok(SpeedCase::new(scenario, &experiment, method)?.statement())
+        Ok(SpeedCase::new(scenario, method)?.statement())
     }
 }
 

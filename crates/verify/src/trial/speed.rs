@@ -3,8 +3,8 @@
 use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
-use crate::statement::{Guarantee, Observed, Observer, Statement};
-use slideway_lab::{Disturbances, Experiment, LimitKind, Method, MethodSummary, Sample, Scenario, Trace};
+use crate::statement::{Guarantee, Observed, Observer, SpeedCase, Statement};
+use slideway_lab::{Disturbances, Experiment, Method, MethodSummary, Sample, Scenario, Trace};
 
 const COMMAND: Always = Always {
     name: "command-within-limits",
@@ -59,20 +59,18 @@ pub(crate) struct SpeedSubject {
 impl SpeedSubject {
     /// The subject, what is stated of it, and how its run without a trial's disturbances is judged.
     pub(crate) fn new(scenario: &Scenario, method: Option<Method>) -> Result<(Self, Statement), VerifyError> {
-        let experiment = Experiment::new(scenario)?;
-        let method = method.map_or_else(|| experiment.judged_method(scenario), Ok)?;
-        let mut statement = Statement::for_speed(scenario, Some(method))?;
-        let path = experiment.sample(10, 0)?;
-        let nominal = experiment.run(method)?;
-        let places = [LimitKind::ToolSpeed, LimitKind::JointSpeed];
+        let case = SpeedCase::new(scenario, method)?;
+        let mut statement = case.statement();
+        let SpeedCase { experiment, trace: nominal, looked, acceleration, varying, .. } = case;
+        let limits = looked.limits.lower().iter().zip(looked.limits.upper());
         let subject = Self {
-            observer: Observer::for_speed(scenario, &experiment, method)?,
-            method,
+            method: looked.method,
             ranges: Ranges::of_speed(&scenario.verify_options()?, experiment.joints(), extent(&nominal)),
-            limits: path.speed_lower.iter().zip(&path.speed_upper).map(|(lo, up)| [*lo, *up]).collect(),
-            acceleration: path.acceleration,
-            by_joints: follows_joints(scenario),
-            varying: experiment.limit_use(&nominal).iter().any(|used| places.contains(&used.kind)),
+            limits: limits.take(experiment.joints()).map(|(lo, up)| [*lo, *up]).collect(),
+            acceleration,
+            by_joints: looked.by_joints,
+            varying,
+            observer: Observer::of_loop(looked),
             experiment,
         };
         let observed = subject.observer.speed(&nominal);
@@ -247,9 +245,4 @@ fn factor_range(trace: &Trace) -> Check {
 
 fn nan_is_infinite(value: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { value }
-}
-
-fn follows_joints(scenario: &Scenario) -> bool {
-    let document: Option<toml::Table> = scenario.text().parse().ok();
-    document.is_some_and(|d| d.get("path").and_then(|path| path.get("joints")).is_some())
 }

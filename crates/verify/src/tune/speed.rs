@@ -2,7 +2,7 @@ use super::document::{Setting, replaced};
 use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
 use crate::error::VerifyError;
 use crate::statement::{SpeedCase, Statement, shown_down, shown_up};
-use slideway_lab::{Experiment, Method, Scenario};
+use slideway_lab::{Method, Scenario};
 
 /// Filter steps beyond this gain nothing: what the switching costs, about `a / 2` of the speed, is more than what the approach saves.
 const LARGEST_STEP: f64 = 0.2;
@@ -23,14 +23,13 @@ struct Candidate {
 }
 
 pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
-    let scenario = scenario(request, &request.text)?;
-    let experiment = Experiment::new(&scenario)?;
-    let method = experiment.judged_method(&scenario)?;
+    let case = SpeedCase::new(&scenario(request, &request.text)?, None)?;
+    let method = case.looked.method;
     if !method.bounds_chattering() {
         return Err(VerifyError::NoClaims { method: method.name().to_owned() });
     }
+    let start = Start::of(&case);
     let tuner = Tuner { request, method };
-    let start = tuner.start(&scenario, &experiment)?;
     match tuner.at(request.rate, &start)? {
         Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate, &start)?))),
         Found::Singular => Ok(TuneOutcome::Impossible(Impossible {
@@ -67,6 +66,13 @@ struct Start {
     gain: f64,
 }
 
+impl Start {
+    fn of(case: &SpeedCase) -> Self {
+        let target_rate = shown_up((1.0 + MARGIN) * case.numbers.fastest_rate);
+        Self { target_rate, gain: case.looked.control.gain }
+    }
+}
+
 enum Found {
     Does(Box<Candidate>),
     /// The slowest admissible filter chatters this much.
@@ -82,12 +88,6 @@ struct Tuner<'a> {
 }
 
 impl Tuner<'_> {
-    fn start(&self, scenario: &Scenario, experiment: &Experiment) -> Result<Start, VerifyError> {
-        let case = SpeedCase::new(scenario, experiment, self.method)?;
-        let target_rate = shown_up((1.0 + MARGIN) * case.numbers.fastest_rate);
-        Ok(Start { target_rate, gain: case.looked.control.gain })
-    }
-
     fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Candidate, VerifyError> {
         let gain = start.gain.min(shown_down(rate / (1.0 + MARGIN)));
         let settings = [
@@ -98,7 +98,7 @@ impl Tuner<'_> {
         ];
         let (text, changes) = replaced(&self.request.text, &settings)?;
         let scenario = scenario(self.request, &text)?;
-        let case = SpeedCase::new(&scenario, &Experiment::new(&scenario)?, self.method)?;
+        let case = SpeedCase::new(&scenario, Some(self.method))?;
         let statement = case.statement();
         let step = case.looked.control.filter_step();
         Ok(Candidate { text, changes, case, statement, step })
