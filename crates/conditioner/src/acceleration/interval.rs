@@ -65,7 +65,8 @@ impl<const N: usize> Interval<N> {
         self.newton(&rows, x)
     }
 
-    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest.
+    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest. An
+    /// interval without length leaves what its far end allows.
     pub(super) fn reaches(&self, limits: &AccelerationLimits<N>, share: f64, x: f64) -> bool {
         if !(x <= self.cap) || !self.near.iter().chain(&self.far).all(|v| v.is_finite()) {
             return x <= 0.0;
@@ -261,6 +262,9 @@ mod tests {
         assert_eq!(interval.greatest(&limits, 1.0), 0.0);
         assert!(interval.reaches(&limits, 1.0, 0.0) && !interval.reaches(&limits, 1.0, 1e-300));
         assert!(!interval.reaches(&limits, 1.0, f64::NAN));
+        let point = Interval { near: [2.0, 0.0], far: [2.0, 0.0], length: 0.0, cap: 1.0, allowed: 0.5 };
+        let limits = AccelerationLimits::symmetric([1.0; 2])?;
+        assert!(point.reaches(&limits, 1.0, 0.5) && !point.reaches(&limits, 1.0, 0.5 + 1e-15));
         Ok(())
     }
 }

@@ -180,11 +180,8 @@ impl<const N: usize> LookAhead<N> {
 
     /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost.
     fn is_in_range(&self, b: f64, stretch: &Stretch<'_, N>, begin: f64) -> bool {
-        let interval = self.interval(stretch, begin);
-        if !(interval.length > 0.0) {
-            return b <= interval.allowed.min(interval.cap);
-        }
-        interval.reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, b)
+        // Where rounding leaves no length the rows ask for what the far end allows, as they should.
+        self.interval(stretch, begin).reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, b)
     }
 
     /// What is left of a stretch from a place on.
