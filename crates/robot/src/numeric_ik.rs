@@ -1,5 +1,5 @@
 use crate::{JointVector, LinkFrames, Pose, RobotError, SerialArm, Task, Twist, rotation_vector};
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, SMatrix};
 
 /// When the numeric inverse kinematics stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,9 +118,14 @@ impl<'a, const N: usize> NumericIk<'a, N> {
         if self.error(pose, &better).norm() < at.error.norm() { better } else { at.q }
     }
 
-    /// `Δq = Jᵀ (J Jᵀ + μ I)⁻¹ e`, the damped least-squares step on the task's rows.
+    /// `Δq = Jᵀ (J Jᵀ + μ I)⁻¹ e`, the damped least-squares step on the task's rows; of an arm with fewer than six joints from the smaller
+    /// system of the same solution, `(Jᵀ J + μ I)⁻¹ Jᵀ e`.
     fn step(&self, at: &Iterate<N>, damping: f64) -> JointVector<N> {
         let rows = self.task.select_rows(&self.arm.jacobian_at(&at.frames));
+        if N < 6 {
+            let gram = rows.transpose() * rows + SMatrix::<f64, N, N>::from_diagonal_element(damping);
+            return gram.cholesky().map_or_else(JointVector::zeros, |c| c.solve(&(rows.transpose() * at.error)));
+        }
         let gram = rows * rows.transpose() + Matrix6::from_diagonal_element(damping);
         gram.cholesky().map_or_else(JointVector::zeros, |c| rows.transpose() * c.solve(&at.error))
     }
