@@ -74,7 +74,7 @@ const SPACING: f64 = 0.02;
 const NODES: usize = 8;
 
 /// Samples of a run.
-const SAMPLES: u32 = 24;
+const SAMPLES: u32 = 16;
 
 /// A path of two joints whose path speeds are linear between its nodes, and the joint speeds of the sample before.
 struct Run {
@@ -119,11 +119,22 @@ impl Run {
         changes.fold(0.0, f64::max) - TS * self.limit
     }
 
-    /// The rate in an interval that exceeds least, by ternary search: one of the least if there are several.
+    /// The rate in an interval that exceeds least, by golden sections: one of the least if there are several. Each leaves 0.618 of the
+    /// interval: 70 of them, 2e-15.
     fn lowest(&self, mut low: f64, mut high: f64) -> f64 {
-        for _ in 0..80 {
-            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-            if self.excess(a) <= self.excess(b) { high = b } else { low = a }
+        const SHARE: f64 = 0.618_033_988_749_894_8;
+        let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
+        let (mut at_a, mut at_b) = (self.excess(a), self.excess(b));
+        for _ in 0..70 {
+            if at_a <= at_b {
+                (high, b, at_b) = (b, a, at_a);
+                a = high - SHARE * (high - low);
+                at_a = self.excess(a);
+            } else {
+                (low, a, at_a) = (a, b, at_b);
+                b = low + SHARE * (high - low);
+                at_b = self.excess(b);
+            }
         }
         0.5 * (low + high)
     }

@@ -69,9 +69,10 @@ pub const CLAIM: Claim = Claim {
     ],
 };
 
-/// Bodies around the start of a random reference.
+/// Bodies around the start of a random reference, nearer to it than those of other claims: a run that meets none does not count.
 pub(crate) fn bodies<const M: usize>(choices: &mut Choices, swing: &Swing) -> Result<[Body; M], Stop> {
-    let found: [Option<Body>; M] = std::array::from_fn(|_| Sketch::draw(choices, 3).around(&swing.at(0)));
+    let near = |sketch: Sketch| Sketch { room: 0.25 * sketch.room, ..sketch };
+    let found: [Option<Body>; M] = std::array::from_fn(|_| near(Sketch::draw(choices, 3)).around(&swing.at(0)));
     let bodies: Vec<Body> = found.into_iter().flatten().collect();
     bodies.try_into().map_err(|_| Stop::Skipped)
 }
@@ -85,8 +86,8 @@ fn stays_inside<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64
     let conditioner = PathConditioner::<3, M>::new(settings(implicit()))?;
     let mut state = conditioner.on_reference();
     let (mut margin, mut acted) = (f64::INFINITY, false);
-    for k in 0..300 {
-        let step = conditioner.step(&mut state, &swing.at(k), |m| bodies.each_ref().map(|body| body.sample(m)));
+    for reference in swing.samples().take(300) {
+        let step = conditioner.step(&mut state, &reference, |m| bodies.each_ref().map(|body| body.sample(m)));
         let held = matches!(step.outcome, PathOutcome::Held(_));
         acted |= step.outcome == PathOutcome::Acting;
         let rounding = 1e-12 * (1.0 + norm(&step.motion.position) + APPROACH * norm(&step.motion.velocity));

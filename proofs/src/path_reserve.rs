@@ -64,15 +64,16 @@ pub const CLAIM: Claim = Claim {
 /// Pushes from far too small to ample, and starts with velocity. Where the rows depend on one another the sample is held: at rest, and the
 /// band is not asked about. Rounding: 1e-12 of positions and velocities of the order of 1 to 10.
 fn keeps_bands<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
-    let (swing, amplitude) = (Swing::draw(choices), choices.decade(-2.5, 0.0));
+    let (swing, amplitude) = (Swing::draw(choices), choices.decade(-2.5, -1.0));
     let bodies = bodies::<M>(choices, &swing)?;
     let law = SwitchingLaw::Normalised { amplitude };
     let form = PathForm::Sliding { law, reserve: Reserve::On { recovery_rate: RECOVERY } };
     let conditioner = PathConditioner::<3, M>::new(settings(form))?;
     let mut state = conditioner.on_reference();
     let (mut beyond, mut margin, mut helped) = ([f64::INFINITY; M], f64::INFINITY, false);
-    for k in 0..300 {
-        let step = conditioner.step(&mut state, &swing.at(k), |m| bodies.each_ref().map(|body| body.sample(m)));
+    let longest = per_push() * amplitude;
+    for (k, reference) in swing.samples().take(300).enumerate() {
+        let step = conditioner.step(&mut state, &reference, |m| bodies.each_ref().map(|body| body.sample(m)));
         helped |= step.outcome == PathOutcome::Reserve;
         if matches!(step.outcome, PathOutcome::Held(_)) {
             if M == 1 || step.motion.velocity != [0.0; 3] {
@@ -82,7 +83,7 @@ fn keeps_bands<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64,
             continue;
         }
         for ((beyond, body), phi) in beyond.iter_mut().zip(&bodies).zip(&step.phi) {
-            let push = per_push() * amplitude * norm(&body.sample(&step.motion).gradient);
+            let push = longest * norm(&body.sample(&step.motion).gradient);
             let left = (*beyond - RECOVERY * PERIOD).max(0.0);
             *beyond = phi - push;
             margin = worse(margin, left + 1e-11 - *beyond);

@@ -118,6 +118,24 @@ impl Swing {
         }
     }
 
+    /// The motions at the samples, one after another: each angle is turned on, which costs a tenth of asking for its sine anew and is
+    /// off by some 1e-16 a sample.
+    pub fn samples(self) -> impl Iterator<Item = Motion<3>> {
+        let turns = self.frequency.map(|w| (w * PERIOD).sin_cos());
+        let start = self.phase.map(f64::sin_cos);
+        let angles = std::iter::successors(Some(start), move |angles| {
+            Some(std::array::from_fn(|i| {
+                let ((sine, cosine), (s, c)) = (angles[i], turns[i]);
+                (sine * c + cosine * s, cosine * c - sine * s)
+            }))
+        });
+        angles.zip(0_u32..).map(move |(angles, sample)| Motion {
+            time: PERIOD * f64::from(sample),
+            position: angles.map(|(sine, _)| self.amplitude * sine),
+            velocity: std::array::from_fn(|i| self.amplitude * self.frequency[i] * angles[i].1),
+        })
+    }
+
     /// Bound on the length of the derivative of this order.
     pub fn derivative(&self, order: i32) -> f64 {
         self.amplitude * norm(&self.frequency.map(|w| w.powi(order)))

@@ -11,9 +11,10 @@
 //! Derivation. `(x - P(x))·(z - P(x)) <= 0` for every `z` of `S`; with `z = P(y)` and the same with `x` and `y` exchanged, the sum is
 //! `‖P(x) - P(y)‖² <= (x - y)·(P(x) - P(y))`, and Cauchy-Schwarz finishes. A point of the set is at distance 0 from itself.
 //!
-//! Rounding. The solver's point `p` lies in the set to its violation `v` and comes with a lower bound `l` on the distance `d`. The distance squared is
-//! strongly convex, so `‖p - P(x)‖² <= d² - l²` where `v <= 0`. A point with `v > 0` (the solver stops at 1e-12) is a point of the set widened by
-//! `v`; its distance is counted as `d + 2 v`, semi-axes and normals being at most 2 long, and `2 v` is added.
+//! Rounding. The solver's point `p` comes with a lower bound `l` on the distance `d`, true in floating point. The distance squared is strongly
+//! convex, so `‖p - P(x)‖² <= d² - l²` if `p` is in the set. If it violates the set by `v` (the solver stops at 1e-12), `p / (1 + v / b)` is in it,
+//! `b <= 1` the wall's offset: by `|p| v / b` it is elsewhere, which is added to `d` and to the answer. Lengths are rounded by two units in
+//! the last place, `v` by four of the numbers it is the difference of.
 //!
 //! Dropped hypothesis: convexity.
 
@@ -54,16 +55,19 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
 }
 
-/// How far the point can be from the nearest one. The roundings of `d² - l²`, some four of `d²`, are added.
-fn doubt(projection: &Projection<3>) -> f64 {
-    let outside = 2.0 * projection.violation.max(0.0);
-    let (d, l) = (projection.distance + outside, projection.lower_bound);
-    ((d - l).max(0.0) * (d + l) + 4.0 * f64::EPSILON * d * d).sqrt() + outside
+/// How far the point can be from the nearest one, for a wall of this normal and offset.
+fn doubt(projection: &Projection<3>, normal: &[f64; 3], offset: f64) -> f64 {
+    let length = distance(&projection.point, &[0.0; 3]);
+    let rounding = 4.0 * f64::EPSILON * (2.0 + length * distance(normal, &[0.0; 3]));
+    let outside = length * (projection.violation + rounding).max(0.0) / offset;
+    let (d, l) = (projection.distance * (1.0 + 2.0 * f64::EPSILON) + outside, projection.lower_bound);
+    (((d - l).max(0.0) * (d + l)).sqrt() + outside) * (1.0 + 8.0 * f64::EPSILON)
 }
 
 fn non_expansive(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
     let ball = ConvexSet::Ellipsoid { centre: [0.0; 3], semi_axes: choices.numbers(0.2, 2.0) };
-    let wall = ConvexSet::HalfSpace { normal: choices.numbers(-1.0, 1.0), offset: choices.between(0.01, 0.5) };
+    let (normal, offset) = (choices.numbers(-1.0, 1.0), choices.between(0.01, 0.5));
+    let wall = ConvexSet::HalfSpace { normal, offset };
     let both = [ball, wall];
     let sets = match choices.below(3) {
         0 => &both[..1],
@@ -76,7 +80,10 @@ fn non_expansive(choices: &mut Choices, _: Subject) -> Result<f64, Stop> {
     let projected = |x: &[f64; 3]| project(x, sets).map_err(|error| Stop::Refused(error.to_string()));
     let (p, q) = (projected(&x)?, projected(&y)?);
     let again = projected(&p.point)?;
-    let closer = distance(&x, &y) + doubt(&p) + doubt(&q) - distance(&p.point, &q.point);
-    let stays = doubt(&again) + doubt(&p) + 12.0 * f64::EPSILON - distance(&p.point, &again.point);
+    let doubt = |projection: &Projection<3>| doubt(projection, &normal, offset);
+    // Two lengths and their sums, rounded.
+    let keeps = |before: f64, after: f64| before + 4.0 * f64::EPSILON * (before + after) - after;
+    let closer = keeps(distance(&x, &y) + doubt(&p) + doubt(&q), distance(&p.point, &q.point));
+    let stays = keeps(doubt(&again) + doubt(&p), distance(&p.point, &again.point));
     Ok(worse(closer, stays))
 }

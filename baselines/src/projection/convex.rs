@@ -139,24 +139,33 @@ fn solve<const N: usize>(
     }
 }
 
-/// Distance that weak duality guarantees for these multipliers.
+/// Distance that weak duality guarantees for these multipliers, in floating point too.
+///
+/// Rounding. With `K` rows a term of the value is rounded at most `N + K + 2` times and a component of `Aᵀ z` at most `K + 1` times, each
+/// by half a unit in the last place: together by less than `(N + K + 4) ε` of the sums of absolute values, which are taken off.
 fn lower_bound<const N: usize>(p: &[f64; N], blocks: &[Block<N>], multipliers: &[f64]) -> f64 {
+    let roundings = (N + 4 + multipliers.len()) as f64 * f64::EPSILON;
     let (mut pull, mut value) = ([0.0; N], 0.0);
+    let (mut pull_size, mut value_size) = ([0.0; N], 0.0);
     let mut rest = multipliers;
     for block in blocks {
         let (z, after) = rest.split_at(block.rows.len().min(rest.len()));
         rest = after;
         let mut z = z.to_vec();
         if let Some((first, tail)) = z.split_first_mut() {
-            // The dual cone is the cone itself: raise the first entry until the rest fits under it.
-            *first = first.max(tail.iter().map(|t| t * t).sum::<f64>().sqrt());
+            // The dual cone is the cone itself: raise the first entry until the rest fits under it, also where its length is rounded down.
+            *first = first.max(tail.iter().map(|t| t * t).sum::<f64>().sqrt() * (1.0 + roundings));
         }
         for (z, (row, b)) in z.iter().zip(&block.rows) {
             value += z * (dot(row, p) - b);
-            for (s, r) in pull.iter_mut().zip(row) {
+            value_size += z.abs() * (dot(&row.map(f64::abs), &p.map(f64::abs)) + b.abs());
+            for ((s, size), r) in pull.iter_mut().zip(&mut pull_size).zip(row) {
                 *s += z * r;
+                *size += (z * r).abs();
             }
         }
     }
-    (2.0 * (value - 0.5 * dot(&pull, &pull))).max(0.0).sqrt()
+    let rounded = roundings * (value_size + dot(&pull_size, &pull_size));
+    // The root and what is under it are rounded as well.
+    (2.0 * (value - 0.5 * dot(&pull, &pull) - rounded)).max(0.0).sqrt() * (1.0 - 2.0 * f64::EPSILON)
 }
