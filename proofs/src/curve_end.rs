@@ -99,7 +99,7 @@ fn run(line: &Line, queue: &mut MotionQueue<2, 4>, choices: &mut Choices) -> Res
             return Ok(worse(worse(margin, ended), SLACK - (before - line.length).abs()));
         }
         if left <= 0.0 {
-            let (seconds, pace) = (choices.between(0.0, 0.3), choices.share());
+            let (seconds, pace) = (choices.between(0.0, 0.1), choices.share());
             (left, paces) = if paces > 0 { (seconds, paces - 1) } else { (f64::INFINITY, 0) };
             queue.set_rate(if left.is_finite() { pace } else { 1.0 })?;
         }

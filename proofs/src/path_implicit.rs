@@ -18,7 +18,7 @@
 //! Dropped hypotheses: independence, and a gradient that is not empty.
 
 use slideway_conditioner::PathConditioner;
-use slideway_conditioner::path::PathOutcome;
+use slideway_conditioner::path::{Motion, PathOutcome};
 
 use crate::claim::{Claim, Script, Twin, Verdict};
 use crate::engine::{About, Choices, Cost, Engine, Stop, exactly, worse};
@@ -77,6 +77,16 @@ pub(crate) fn bodies<const M: usize>(choices: &mut Choices, swing: &Swing) -> Re
     bodies.try_into().map_err(|_| Stop::Skipped)
 }
 
+/// The motions of a reference from the sample before the first that touches a body; a run that touches none does not count.
+///
+/// Until then a conditioner leaves the reference as it is, and its state with it: it may as well begin there.
+pub(crate) fn from_first_contact<const M: usize>(swing: &Swing, bodies: &[Body; M]) -> Result<Vec<Motion<3>>, Stop> {
+    let touches = |m: &Motion<3>| bodies.iter().any(|body| body.sample(m).phi(APPROACH, &m.velocity) >= 0.0);
+    let mut motions: Vec<Motion<3>> = swing.samples().take(300).collect();
+    let first = motions.iter().position(touches).ok_or(Stop::Skipped)?;
+    Ok(motions.split_off(first.saturating_sub(1)))
+}
+
 /// A run from an admissible start with the reference's velocity. Only runs in which something acted count.
 ///
 /// Rounding of `φ`: rows of condition up to 1e3, times 1e-16, times positions and `K` times velocities as they occur.
@@ -86,8 +96,8 @@ fn stays_inside<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64
     let conditioner = PathConditioner::<3, M>::new(settings(implicit()))?;
     let mut state = conditioner.on_reference();
     let (mut margin, mut acted) = (f64::INFINITY, false);
-    for reference in swing.samples().take(300) {
-        let step = conditioner.step(&mut state, &reference, |m| bodies.each_ref().map(|body| body.sample(m)));
+    for reference in &from_first_contact(&swing, &bodies)? {
+        let step = conditioner.step(&mut state, reference, |m| bodies.each_ref().map(|body| body.sample(m)));
         let held = matches!(step.outcome, PathOutcome::Held(_));
         acted |= step.outcome == PathOutcome::Acting;
         let rounding = 1e-12 * (1.0 + norm(&step.motion.position) + APPROACH * norm(&step.motion.velocity));

@@ -22,7 +22,7 @@ use slideway_conditioner::path::{PathForm, PathOutcome, Reserve, SwitchingLaw};
 
 use crate::claim::{Claim, Script, Twin, Verdict};
 use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
-use crate::path_implicit::bodies;
+use crate::path_implicit::{bodies, from_first_contact};
 use crate::path_world::{PERIOD, RECOVERY, Swing, norm, per_push, settings};
 use crate::subject::Subject;
 
@@ -72,12 +72,12 @@ fn keeps_bands<const M: usize>(choices: &mut Choices, _: Subject) -> Result<f64,
     let mut state = conditioner.on_reference();
     let (mut beyond, mut margin, mut helped) = ([f64::INFINITY; M], f64::INFINITY, false);
     let longest = per_push() * amplitude;
-    for (k, reference) in swing.samples().take(300).enumerate() {
-        let step = conditioner.step(&mut state, &reference, |m| bodies.each_ref().map(|body| body.sample(m)));
+    for reference in &from_first_contact(&swing, &bodies)? {
+        let step = conditioner.step(&mut state, reference, |m| bodies.each_ref().map(|body| body.sample(m)));
         helped |= step.outcome == PathOutcome::Reserve;
         if matches!(step.outcome, PathOutcome::Held(_)) {
             if M == 1 || step.motion.velocity != [0.0; 3] {
-                return Err(Stop::Refused(format!("{:?} in motion at {k}", step.outcome)));
+                return Err(Stop::Refused(format!("{:?} in motion at {} s", step.outcome, reference.time)));
             }
             beyond = [f64::INFINITY; M];
             continue;

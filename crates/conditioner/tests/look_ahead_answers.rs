@@ -233,3 +233,28 @@ fn settings_out_of_range_are_refused_with_their_value() -> Result<(), ParameterE
     }
     Ok(())
 }
+
+/// Joint 1 turns round at `q'' = 100` up to the second node and stands from there on: within the turn `100 b <= 1` at any acceleration, for
+/// twice the near row plus the far row of `[(v0, 3 v1 - 2 v0) = (-100 d, 200 d)]` is `300 b <= 3`. A rate that is evaluated beyond the
+/// turn has nothing to keep but the stop; the rates between would have.
+#[test]
+fn a_turn_ahead_is_not_jumped_over() -> Result<(), ParameterError> {
+    let plan = LookAhead::new(LookAheadSettings {
+        speed_limits: SpeedLimits::symmetric([1e4; 2])?,
+        acceleration_limits: AccelerationLimits::symmetric([1.0; 2])?,
+        sampling_period: 1e-3,
+        target_rate: 10.0,
+        margin: 0.0,
+    })?;
+    let nodes = [[-1.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0]];
+    let mut ranges = [0.0; 5];
+    plan.ranges(0.01, &nodes, &mut ranges);
+    // Of 0.0001 left of the turn; a sample at 0.2 and more would be evaluated beyond it.
+    for offset in [0.0, 0.005, 0.0099] {
+        let preview = Preview { offset, spacing: 0.01, path_speeds: &nodes };
+        // The bisection's resolution: 2^-40 of the target rate.
+        assert!((plan.greatest_rate(&preview) - 0.1).abs() < 1e-10, "{}", plan.greatest_rate(&preview));
+        assert_eq!(plan.greatest_rate(&preview), plan.greatest_rate_within(&preview, &ranges));
+    }
+    Ok(())
+}

@@ -65,19 +65,30 @@ impl<const N: usize> Interval<N> {
         self.newton(&rows, x)
     }
 
-    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest. An
-    /// interval without length leaves what its far end allows.
-    pub(super) fn reaches(&self, limits: &AccelerationLimits<N>, share: f64, x: f64) -> bool {
+    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest.
+    ///
+    /// `turn` is `q''`, the slope of `q'`. An interval without length is the limit of ever shorter ones: its far end is passed at `x` by
+    /// some `λ̈`. With the interval that follows, of another slope, more may be possible.
+    ///
+    /// ```text
+    /// near end:  v0 λ̈ + q'' x             between a_lower and a_upper
+    /// far end:   (3 v1 - 2 v0) λ̈ + q'' x  between a_lower and a_upper,   -x <= 2 d λ̈ <= allowed - x
+    /// ```
+    pub(super) fn reaches(&self, limits: &AccelerationLimits<N>, share: f64, turn: &[f64; N], x: f64) -> bool {
         if !(x <= self.cap) || !self.near.iter().chain(&self.far).all(|v| v.is_finite()) {
             return x <= 0.0;
         }
-        let range = 2.0 * self.length * share;
-        let (mut low, mut high) = (0.0_f64, self.allowed);
-        let joints = self.near.iter().zip(&self.far).zip(limits.lower().iter().zip(limits.upper()));
-        for ((&v0, &v1), (&lo, &up)) in joints {
-            for [of_y, of_x] in coefficients(v0, v1) {
-                let (moved, inverse) = (of_x * x, 1.0 / of_y);
-                let ends = [range * lo - moved, range * up - moved];
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        if self.length > 0.0 {
+            (low, high) = (-0.5 * x / self.length, 0.5 * (self.allowed - x) / self.length);
+        } else if !(x <= self.allowed) {
+            return false;
+        }
+        let speeds = self.near.iter().zip(&self.far).zip(turn);
+        for (((&v0, &v1), &turn), (&lo, &up)) in speeds.zip(limits.lower().iter().zip(limits.upper())) {
+            let ends = [share * lo - turn * x, share * up - turn * x];
+            for of_acceleration in [v0, 3.0 * v1 - 2.0 * v0] {
+                let inverse = 1.0 / of_acceleration;
                 let [a, b] = ends.map(|end| end * inverse);
                 if inverse.is_finite() {
                     (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
@@ -204,7 +215,7 @@ mod tests {
             let x = of_greatest * greatest;
             // As above: what is nearer than 1e-9 is decided by rounding.
             let is_near = (x - greatest).abs() <= 1e-9 * (1.0 + greatest);
-            prop_assert!(is_near || interval.reaches(&limits, share, x) == (x < greatest), "{x} {greatest}");
+            prop_assert!(is_near || interval.reaches(&limits, share, &turn(&interval), x) == (x < greatest), "{x} {greatest}");
         }
     }
 
@@ -255,16 +266,32 @@ mod tests {
         Ok(())
     }
 
+    /// `q''` of an interval.
+    fn turn(interval: &Interval<3>) -> [f64; 3] {
+        core::array::from_fn(|i| (interval.far[i] - interval.near[i]) / interval.length)
+    }
+
+    #[test]
+    fn the_end_of_a_turn_is_passed_no_faster_than_the_turn_allows() -> Result<(), crate::ParameterError> {
+        // Joint 1 turns round where it stands, at q'' = 8: 8 b <= 2 whatever the acceleration. Joint 2 goes straight on.
+        let limits = AccelerationLimits::symmetric([2.0, 100.0])?;
+        let (speeds, turn) = ([0.0, 2.0], [8.0, 0.0]);
+        let end = |allowed| Interval { near: speeds, far: speeds, length: 0.0, cap: 1.0, allowed };
+        assert!(end(0.5).reaches(&limits, 1.0, &turn, 0.25) && !end(0.5).reaches(&limits, 1.0, &turn, 0.2500001));
+        assert!(end(0.125).reaches(&limits, 1.0, &turn, 0.125) && !end(0.125).reaches(&limits, 1.0, &turn, 0.1250001));
+        // Moving, joint 1 makes up for the turn by braking: 2 λ̈ + 8 b >= -2 and <= 2, as far as joint 2 lets it: |λ̈| <= 50.
+        let end = Interval { near: [2.0; 2], far: [2.0; 2], length: 0.0, cap: 100.0, allowed: 100.0 };
+        assert!(end.reaches(&limits, 1.0, &turn, 12.75) && !end.reaches(&limits, 1.0, &turn, 12.7500001));
+        Ok(())
+    }
+
     #[test]
     fn an_interval_that_is_not_finite_allows_rest_only() -> Result<(), crate::ParameterError> {
         let limits = AccelerationLimits::symmetric([1.0])?;
         let interval = Interval { near: [1.0], far: [f64::NAN], length: 0.1, cap: 1.0, allowed: 1.0 };
         assert_eq!(interval.greatest(&limits, 1.0), 0.0);
-        assert!(interval.reaches(&limits, 1.0, 0.0) && !interval.reaches(&limits, 1.0, 1e-300));
-        assert!(!interval.reaches(&limits, 1.0, f64::NAN));
-        let point = Interval { near: [2.0, 0.0], far: [2.0, 0.0], length: 0.0, cap: 1.0, allowed: 0.5 };
-        let limits = AccelerationLimits::symmetric([1.0; 2])?;
-        assert!(point.reaches(&limits, 1.0, 0.5) && !point.reaches(&limits, 1.0, 0.5 + 1e-15));
+        assert!(interval.reaches(&limits, 1.0, &[0.0], 0.0) && !interval.reaches(&limits, 1.0, &[0.0], 1e-300));
+        assert!(!interval.reaches(&limits, 1.0, &[0.0], f64::NAN));
         Ok(())
     }
 }

@@ -31,6 +31,12 @@ pub struct Preview<'a, const N: usize> {
     pub path_speeds: &'a [[f64; N]],
 }
 
+impl<const N: usize> Preview<'_, N> {
+    fn is_usable(&self) -> bool {
+        self.offset >= 0.0 && self.spacing > 0.0 && self.spacing.is_finite()
+    }
+}
+
 /// Steps of the bisection for a sample's rate: `2^-40` of the target rate is less than a millionth of a millionth of it.
 const HALVINGS: usize = 40;
 
@@ -50,6 +56,15 @@ impl<const N: usize> Stretch<'_, N> {
     fn end(&self) -> f64 {
         self.node + self.spacing
     }
+
+    /// `q''`.
+    fn turn(&self) -> [f64; N] {
+        let mut turn = *self.far;
+        for (t, near) in turn.iter_mut().zip(self.near) {
+            *t = (*t - near) / self.spacing;
+        }
+        turn
+    }
 }
 
 /// The largest path rate from which the path can be followed to a stop inside a window ahead.
@@ -64,7 +79,9 @@ impl<const N: usize> Stretch<'_, N> {
 ///
 /// Guaranteed (claim `look-ahead-tail`): if the path is piecewise as previewed (`v` linear between the nodes), one sample's rate keeps
 /// the bound and the next sample lies between the same two nodes, then that one has a rate that keeps it, which changes the joint speeds `v(x) w` by no more than the
-/// acceleration limits times `(1 - margin) Ts`. Slower rates keep it too, and a longer window never lowers it.
+/// acceleration limits times `(1 - margin) Ts`. A longer window never lowers it. Where a turn ends at a node, a fast rate that is evaluated
+/// beyond it may keep the bound while slower ones within the turn do not: what is offered ends before the first node that cannot be passed
+/// from within, so that slower rates keep the bound too.
 ///
 /// Not guaranteed: three terms of the discretisation, for which the margin is there. Where the plan's `λ̈` jumps within a sample, at a
 /// node, the place is off the plan by up to `Ts² |Δλ̈| / 8`. The joints are commanded `v(λ_k) w_k`, not
@@ -97,7 +114,7 @@ impl<const N: usize> LookAhead<N> {
     #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub fn greatest_rate(&self, preview: &Preview<'_, N>) -> f64 {
-        if !(preview.offset >= 0.0 && preview.spacing > 0.0) {
+        if !preview.is_usable() {
             return 0.0;
         }
         let (mut allowed, mut rate) = (0.0, 0.0);
@@ -110,10 +127,8 @@ impl<const N: usize> LookAhead<N> {
             }
             let begin = node.max(0.0);
             let before = self.range_from(&stretch, begin);
-            // The rate that is evaluated inside this stretch: between those evaluated at its ends.
-            if self.is_kept(self.rate_evaluated_at(begin), before)
-                && !self.is_kept(self.rate_evaluated_at(stretch.end()), allowed)
-            {
+            // The nearest end that cannot be passed counts: a faster rate may be kept by a plan that begins beyond it.
+            if !self.is_passed(&stretch) {
                 rate = self.held_rate(&stretch, begin);
             }
             allowed = before;
@@ -147,7 +162,7 @@ impl<const N: usize> LookAhead<N> {
     #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub fn greatest_rate_within(&self, preview: &Preview<'_, N>, ranges: &[f64]) -> f64 {
-        if !(preview.offset >= 0.0 && preview.spacing > 0.0) {
+        if !preview.is_usable() {
             return 0.0;
         }
         let nodes = preview.path_speeds;
@@ -158,12 +173,8 @@ impl<const N: usize> LookAhead<N> {
             if !(stretch.end() > 0.0) {
                 continue;
             }
-            let begin = node.max(0.0);
-            if !self.is_kept(self.rate_evaluated_at(begin), self.range_from(&stretch, begin)) {
-                return 0.0;
-            }
-            if !self.is_kept(self.rate_evaluated_at(stretch.end()), allowed) {
-                return self.held_rate(&stretch, begin);
+            if !self.is_passed(&stretch) {
+                return self.held_rate(&stretch, node.max(0.0));
             }
         }
         0.0
@@ -178,10 +189,16 @@ impl<const N: usize> LookAhead<N> {
         interval.greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
     }
 
-    /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost.
-    fn is_in_range(&self, b: f64, stretch: &Stretch<'_, N>, begin: f64) -> bool {
-        // Where rounding leaves no length the rows ask for what the far end allows, as they should.
-        self.interval(stretch, begin).reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, b)
+    /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost; at its end, whether it is
+    /// passed at `b` by a plan from within.
+    fn is_in_range(&self, b: f64, stretch: &Stretch<'_, N>, turn: &[f64; N], begin: f64) -> bool {
+        self.interval(stretch, begin).reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, turn, b)
+    }
+
+    /// Whether the rate that is evaluated at the end of a stretch is kept there, by a plan from within.
+    fn is_passed(&self, stretch: &Stretch<'_, N>) -> bool {
+        let rate = self.rate_evaluated_at(stretch.end());
+        rate <= self.settings.target_rate && self.is_in_range(rate * rate, stretch, &stretch.turn(), stretch.end())
     }
 
     /// What is left of a stretch from a place on.
@@ -196,10 +213,6 @@ impl<const N: usize> LookAhead<N> {
         2.0 * ahead / self.settings.sampling_period
     }
 
-    fn is_kept(&self, rate: f64, range: f64) -> bool {
-        rate <= self.settings.target_rate && rate * rate <= range
-    }
-
     /// The largest `w` with `w² <= b(Ts w / 2)` whose place lies in the stretch, by bisection, to the share `2^-40` of the target rate.
     ///
     /// Every rate up to that of a plan keeps the bound: `b` of the plan is linear and not negative from `λ` on, `w²` over `Ts w / 2` a
@@ -207,13 +220,14 @@ impl<const N: usize> LookAhead<N> {
     fn held_rate(&self, stretch: &Stretch<'_, N>, begin: f64) -> f64 {
         let mut kept = self.rate_evaluated_at(begin);
         let mut refused = self.rate_evaluated_at(stretch.end()).min(self.settings.target_rate);
-        if self.is_kept(refused, self.range_from(stretch, 0.5 * self.settings.sampling_period * refused)) {
+        let turn = stretch.turn();
+        if self.is_in_range(refused * refused, stretch, &turn, 0.5 * self.settings.sampling_period * refused) {
             return refused;
         }
         for _ in 0..HALVINGS {
             let rate = 0.5 * (kept + refused);
             let place = 0.5 * self.settings.sampling_period * rate;
-            if self.is_in_range(rate * rate, stretch, place) { kept = rate } else { refused = rate }
+            if self.is_in_range(rate * rate, stretch, &turn, place) { kept = rate } else { refused = rate }
         }
         kept
     }
