@@ -32,8 +32,9 @@ pub struct Preview<'a, const N: usize> {
 }
 
 impl<const N: usize> Preview<'_, N> {
+    /// Nodes that do not advance are no obstacle: they lie behind, where none is looked at.
     fn is_usable(&self) -> bool {
-        self.offset >= 0.0 && self.spacing > 0.0 && self.spacing.is_finite()
+        self.offset >= 0.0 && self.spacing.is_finite()
     }
 }
 
@@ -182,11 +183,7 @@ impl<const N: usize> LookAhead<N> {
 
     /// The greatest `b` at a place of a stretch from which its far end's range can be reached.
     fn range_from(&self, stretch: &Stretch<'_, N>, begin: f64) -> f64 {
-        let interval = self.interval(stretch, begin);
-        if !(interval.length > 0.0) {
-            return interval.allowed.min(interval.cap);
-        }
-        interval.greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
+        self.interval(stretch, begin).greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
     }
 
     /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost; at its end, whether it is
