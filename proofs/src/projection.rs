@@ -23,6 +23,7 @@ use slideway_baselines::projection::convex::{ConvexSet, project};
 
 use crate::claim::{Claim, Script, Twin, Verdict};
 use crate::engine::{About, Choices, Cost, Engine, Stop, worse};
+use crate::path_world::norm;
 use crate::subject::Subject;
 
 /// The claim and its scripts.
@@ -57,8 +58,8 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 
 /// How far the point can be from the nearest one, for a wall of this normal and offset.
 fn doubt(projection: &Projection<3>, normal: &[f64; 3], offset: f64) -> f64 {
-    let length = distance(&projection.point, &[0.0; 3]);
-    let rounding = 4.0 * f64::EPSILON * (2.0 + length * distance(normal, &[0.0; 3]));
+    let length = norm(&projection.point);
+    let rounding = 4.0 * f64::EPSILON * (2.0 + length * norm(normal));
     let outside = length * (projection.violation + rounding).max(0.0) / offset;
     let (d, l) = (projection.distance * (1.0 + 2.0 * f64::EPSILON) + outside, projection.lower_bound);
     (((d - l).max(0.0) * (d + l)).sqrt() + outside) * (1.0 + 8.0 * f64::EPSILON)

@@ -54,6 +54,11 @@ struct Stretch<'a, const N: usize> {
 }
 
 impl<const N: usize> Stretch<'_, N> {
+    /// Where it begins: at the near node, or at the current path parameter within.
+    fn begin(&self) -> f64 {
+        self.node.max(0.0)
+    }
+
     fn end(&self) -> f64 {
         self.node + self.spacing
     }
@@ -118,7 +123,7 @@ impl<const N: usize> LookAhead<N> {
         if !preview.is_usable() {
             return 0.0;
         }
-        let (mut allowed, mut rate) = (0.0, 0.0);
+        let (mut allowed, mut nearest) = (0.0, None);
         let nodes = preview.path_speeds;
         for (index, (near, far)) in nodes.iter().zip(nodes.iter().skip(1)).enumerate().rev() {
             let node = index as f64 * preview.spacing - preview.offset;
@@ -126,15 +131,13 @@ impl<const N: usize> LookAhead<N> {
             if !(stretch.end() > 0.0) {
                 break;
             }
-            let begin = node.max(0.0);
-            let before = self.range_from(&stretch, begin);
             // The nearest end that cannot be passed counts: a faster rate may be kept by a plan that begins beyond it.
             if !self.is_passed(&stretch) {
-                rate = self.held_rate(&stretch, begin);
+                nearest = Some(stretch);
             }
-            allowed = before;
+            allowed = self.range_from(&stretch, stretch.begin());
         }
-        rate
+        nearest.map_or(0.0, |stretch| self.held_rate(&stretch))
     }
 
     /// The greatest `b` at each node from which the last one can be reached at rest, into `ranges`: what [`LookAhead::greatest_rate`] works
@@ -175,7 +178,7 @@ impl<const N: usize> LookAhead<N> {
                 continue;
             }
             if !self.is_passed(&stretch) {
-                return self.held_rate(&stretch, node.max(0.0));
+                return self.held_rate(&stretch);
             }
         }
         0.0
@@ -214,8 +217,8 @@ impl<const N: usize> LookAhead<N> {
     ///
     /// Every rate up to that of a plan keeps the bound: `b` of the plan is linear and not negative from `λ` on, `w²` over `Ts w / 2` a
     /// parabola from zero, below the chord up to where they meet. So bisection never ends below the plan's rate.
-    fn held_rate(&self, stretch: &Stretch<'_, N>, begin: f64) -> f64 {
-        let mut kept = self.rate_evaluated_at(begin);
+    fn held_rate(&self, stretch: &Stretch<'_, N>) -> f64 {
+        let mut kept = self.rate_evaluated_at(stretch.begin());
         let mut refused = self.rate_evaluated_at(stretch.end()).min(self.settings.target_rate);
         let turn = stretch.turn();
         if self.is_in_range(refused * refused, stretch, &turn, 0.5 * self.settings.sampling_period * refused) {
