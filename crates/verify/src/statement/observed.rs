@@ -55,7 +55,7 @@ impl Observer {
     ///
     /// The inverse kinematics fails at a place it passed while tracing.
     pub fn for_speed(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        Ok(Self::of_loop(speed_loop::observed_loop(scenario, experiment, method)?))
+        Ok(Self::of_loop(speed_loop::loop_on(scenario, experiment, method)?.0))
     }
 
     /// For runs in a loop already looked at.

@@ -29,11 +29,6 @@ pub(crate) fn loop_on(
     Ok((looked, path))
 }
 
-/// The loop alone.
-pub(crate) fn observed_loop(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Loop, VerifyError> {
-    Ok(loop_on(scenario, experiment, method)?.0)
-}
-
 /// The grid that `compare` solves for the optimum on, under the speed limits alone.
 fn nodes_alone(path: &SampledPath) -> SampledPath {
     let mut path = path.under_speed_limits_alone();
