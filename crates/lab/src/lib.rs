@@ -27,6 +27,7 @@ mod robot;
 mod run;
 mod scenario;
 pub mod sweep;
+mod traced;
 
 pub use error::{Fault, LabError};
 pub use experiment::Experiment;
