@@ -148,6 +148,28 @@ fn a_push_that_the_drift_beats_is_rejected_with_a_number_that_is_accepted() -> O
     Ok(())
 }
 
+/// A reference that begins 9.5 mm behind a wall and goes on away from it does nothing to help, and the push is a hundredth of the example's:
+/// the way back is as slow as the recovery rate lets it, 9.5 mm of the 10 that the bound is stated for.
+#[test]
+fn from_outside_a_conditioner_is_back_in_the_stated_time_and_uses_it() -> Outcome {
+    let text = BUILT_IN.iter().find(|b| b.name == "helix-plane-sphere").ok_or("built in")?.text;
+    for (method, keys) in [
+        (PathMethod::SlidingModeImplicit, "recovery_rate = 0.5\nmargin = { fixed = [0.002, 0.001] }"),
+        (PathMethod::SlidingMode, "reserve_rate = 0.5\nmargin = \"band\""),
+    ] {
+        let text = text.replace("offset = 0 ", "offset = -0.1845 ").replace("amplitude = 0.1", "amplitude = 0.001");
+        let text = text.replace("push_cutoff = 20", &format!("push_cutoff = 20\n{keys}"));
+        let statement = Statement::for_conditioning(&ConditioningScenario::parse("outside", &text)?, Some(method))?;
+        let recovery = guarantee(&statement, "recovery")?;
+        let (bound, measured) = (recovery.upper.ok_or("bounded")?, recovery.measured.ok_or("measured")?);
+        assert!(measured <= bound && measured >= 0.9 * bound, "{method:?}: {measured} {bound}");
+    }
+    // Without a reserve the explicit form pushes as it does inside, and promises no time.
+    let plain = Statement::for_conditioning(&ConditioningScenario::parse("plain", text)?, None)?;
+    assert!(guarantee(&plain, "recovery").is_err());
+    Ok(())
+}
+
 #[test]
 fn an_observer_reads_from_a_run_what_the_statement_says_was_measured() -> Outcome {
     let scenario = built_in("puma-helix")?;

@@ -3,27 +3,26 @@
 use super::contact::ContactSignals;
 use super::entry::{ROOM, at_most, failing, room, shown_down, shown_up, up_to};
 use super::observed::{Observed, Reading};
+use super::recovery::{recovered, recovery_rate};
 use super::{Guarantee, Hypothesis, Relation, Statement};
 use crate::error::VerifyError;
-use slideway_conditioner::path::{Reserve, SwitchingLaw, bounds};
+use slideway_conditioner::path::SwitchingLaw;
 use slideway_lab::conditioning::{
-    ConditionedTrace, ConditioningProblem, ConditioningScenario, MarginChoice, PathMethod, PathMethodSummary,
+    ConditionedTrace, ConditioningProblem, ConditioningScenario, MarginChoice, PathMethod, PathMethodSummary, Phase,
     run_conditioner,
 };
-
-/// How far outside the recovery is stated from, m.
-const OUTSIDE: f64 = 0.01;
 
 /// Rounding of `φ`: some 30 operations on positions of up to 10 m, and the smallest push's systems with conditions of up to 1e2, m.
 const ROUNDING: f64 = 1e-11;
 
 /// Everything a statement is assembled from.
 pub(crate) struct ConditioningCase {
-    problem: ConditioningProblem,
-    method: PathMethod,
+    pub(crate) problem: ConditioningProblem,
+    pub(crate) method: PathMethod,
+    /// The run without a trial's disturbances.
+    pub(crate) trace: ConditionedTrace,
     nominal: ContactSignals,
     measured: Measured,
-    completed: bool,
 }
 
 /// What a run measured of the quantities that the guarantees are about, m.
@@ -32,6 +31,11 @@ struct Measured {
     phi: f64,
     sigma: f64,
     chattering: Option<f64>,
+}
+
+/// Whether a run gave out a position again.
+pub(super) fn any_held(trace: &ConditionedTrace) -> bool {
+    trace.samples.iter().any(|sample| sample.phase == Phase::Held)
 }
 
 fn measured(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Measured {
@@ -55,7 +59,7 @@ impl Statement {
     ///
     /// A scenario that cannot be used.
     pub fn for_conditioning(scenario: &ConditioningScenario, method: Option<PathMethod>) -> Result<Self, VerifyError> {
-        Ok(ConditioningCase::new(scenario.problem()?, method.unwrap_or(PathMethod::SlidingMode))?.statement())
+        ConditioningCase::new(scenario.problem()?, method.unwrap_or(PathMethod::SlidingMode))?.statement()
     }
 }
 
@@ -67,7 +71,7 @@ impl ConditioningCase {
         let trace = run_conditioner(&problem, method)?;
         let nominal = ContactSignals::of(&problem, &trace);
         let measured = measured(&problem, &trace);
-        Ok(Self { problem, method, nominal, measured, completed: trace.finish_s.is_some() })
+        Ok(Self { problem, method, trace, nominal, measured })
     }
 
     /// What the run showed.
@@ -77,23 +81,31 @@ impl ConditioningCase {
 
     /// Whether the reference reached its end.
     pub(crate) fn completed(&self) -> bool {
-        self.completed
+        self.trace.finish_s.is_some()
     }
 
-    pub(crate) fn statement(&self) -> Statement {
+    /// # Errors
+    ///
+    /// A start outside that the scenario cannot be run from.
+    pub(crate) fn statement(&self) -> Result<Statement, VerifyError> {
         if self.method == PathMethod::SlidingModePaper {
             let remark = "Nothing is stated for the appendix's scheme, in which a push takes effect over three samples and its drift cannot be \
                           told from it: `sliding-mode` and `sliding-mode-implicit` have bounds.";
             let method = self.method.name().to_owned();
-            return Statement { method, hypotheses: Vec::new(), guarantees: Vec::new(), remarks: vec![remark.into()] };
+            return Ok(Statement {
+                method,
+                hypotheses: Vec::new(),
+                guarantees: Vec::new(),
+                remarks: vec![remark.into()],
+            });
         }
         let statement = Statement {
             method: self.method.name().to_owned(),
             hypotheses: self.hypotheses(),
-            guarantees: self.guarantees(),
+            guarantees: self.guarantees()?,
             remarks: self.remarks(),
         };
-        statement.keep_what_holds()
+        Ok(statement.keep_what_holds())
     }
 
     /// Whether the margin is that of the band, which is known at contacts only.
@@ -102,11 +114,7 @@ impl ConditioningCase {
     }
 
     fn reserve(&self) -> Option<f64> {
-        match (self.method, self.problem.reserve) {
-            (PathMethod::SlidingMode, Reserve::On { recovery_rate }) => Some(recovery_rate),
-            (PathMethod::SlidingModeImplicit, _) => Some(self.problem.recovery_rate),
-            _ => None,
-        }
+        recovery_rate(&self.problem, self.method)
     }
 
     /// What the numbers are stated for: those of the run with room.
@@ -226,7 +234,7 @@ impl ConditioningCase {
         }
     }
 
-    fn guarantees(&self) -> Vec<Guarantee> {
+    fn guarantees(&self) -> Result<Vec<Guarantee>, VerifyError> {
         let (declared, measured) = (self.declared(), &self.measured);
         let (phi, claim, mut rests) = self.phi();
         let text = "largest φ of any constraint at a sample";
@@ -248,18 +256,8 @@ impl ConditioningCase {
                 ..up_to("chattering", "path-band", text, "m", bound, &rests)
             });
         }
-        list.extend(self.recovery());
-        list
-    }
-
-    /// From rest outside; without a margin the boundary is neared for ever.
-    fn recovery(&self) -> Option<Guarantee> {
-        let (rate, margin) = (self.reserve()?, self.declared().margin);
-        let slowest = self.problem.constraints.iter().map(|c| c.approach).fold(0.0, f64::max);
-        let time = bounds::recovery_time(OUTSIDE, margin, rate, slowest);
-        let text = format!("from rest {:.0} mm outside until no constraint is broken", 1e3 * OUTSIDE);
-        let claim = if self.method == PathMethod::SlidingModeImplicit { "path-implicit" } else { "path-reserve" };
-        (time.is_finite() && margin > 0.0).then(|| up_to("recovery", claim, &text, "s", time, &["held"]))
+        list.extend(self.recovery()?);
+        Ok(list)
     }
 
     fn remarks(&self) -> Vec<String> {
@@ -289,8 +287,12 @@ pub(crate) fn observed(problem: &ConditioningProblem, trace: &ConditionedTrace) 
         ("push-share", signals.push_share),
         ("margin", signals.margin),
     ];
-    let guarantees =
-        [("phi", Some(measured.phi)), ("penetration", Some(measured.sigma)), ("chattering", measured.chattering)];
+    let guarantees = [
+        ("phi", Some(measured.phi)),
+        ("penetration", Some(measured.sigma)),
+        ("chattering", measured.chattering),
+        ("recovery", recovered(problem, trace)),
+    ];
     let reading = |(name, value)| Reading { name, value };
     Observed {
         hypotheses: hypotheses.map(reading).to_vec(),

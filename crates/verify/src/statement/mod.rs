@@ -5,6 +5,7 @@ mod contact;
 mod entry;
 mod observed;
 mod path_drift;
+mod recovery;
 mod signals;
 mod speed;
 mod speed_declared;
@@ -17,6 +18,7 @@ mod speed_words;
 pub(crate) use conditioning::ConditioningCase;
 pub(crate) use entry::{room, shown_down, shown_up};
 pub use observed::{Observed, Observer, Reading};
+pub(crate) use recovery::{PUSH_ROUNDING, excess, recovery_rate};
 pub(crate) use speed::SpeedCase;
 
 use serde::{Deserialize, Serialize};

@@ -69,7 +69,12 @@ impl Observer {
     ///
     /// The first value that cannot be used.
     pub fn for_conditioning(scenario: &ConditioningScenario) -> Result<Self, VerifyError> {
-        Ok(Self { kind: Kind::Conditioning(Box::new(scenario.problem()?)) })
+        Ok(Self::of_problem(scenario.problem()?))
+    }
+
+    /// For runs of a problem already read.
+    pub(crate) fn of_problem(problem: ConditioningProblem) -> Self {
+        Self { kind: Kind::Conditioning(Box::new(problem)) }
     }
 
     /// Reads a run of a speed scenario; nothing if the observer is for conditioning.

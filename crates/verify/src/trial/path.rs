@@ -3,11 +3,11 @@
 use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
-use crate::statement::{Guarantee, Observer, Statement};
-use slideway_conditioner::path::{Reserve, SwitchingLaw, bounds};
+use crate::statement::{ConditioningCase, Guarantee, Observer, PUSH_ROUNDING, Statement, excess, recovery_rate};
+use slideway_conditioner::path::Reserve;
 use slideway_lab::conditioning::{
-    ConditionedSample, ConditionedTrace, ConditioningProblem, ConditioningScenario, MarginChoice, PathDisturbances,
-    PathMethod, Phase, Shape3, run_conditioner,
+    ConditionedTrace, ConditioningProblem, ConditioningScenario, PathDisturbances, PathMethod, Phase, Shape3,
+    run_conditioner,
 };
 
 const RESERVE: Always = Always {
@@ -45,17 +45,17 @@ pub(crate) struct PathSubject {
 impl PathSubject {
     /// The subject, and what is stated of it.
     pub(crate) fn new(scenario: &ConditioningScenario, method: PathMethod) -> Result<(Self, Statement), VerifyError> {
-        let mut statement = Statement::for_conditioning(scenario, Some(method))?;
-        let problem = scenario.problem()?;
+        let case = ConditioningCase::new(scenario.problem()?, method)?;
+        let mut statement = case.statement()?;
+        let ConditioningCase { problem, trace: nominal, .. } = case;
         let subject = Self {
-            observer: Observer::for_conditioning(scenario)?,
+            observer: Observer::of_problem(problem.clone()),
             ranges: Ranges::of_conditioning(&scenario.verify_options()?, extent(&problem)),
             // A formula may depend on time by itself.
             moving: problem.constraints.iter().any(|c| c.is_carried() || matches!(c.shape, Shape3::Formula(_))),
             problem,
             method,
         };
-        let nominal = run_conditioner(&subject.problem, method)?;
         let found = subject.always(&nominal, &subject.problem.disturbances);
         let always = [RESERVE, IMPLICIT];
         let stated = found.iter().filter_map(|c| always.iter().find(|a| a.name == c.guarantee).map(|a| a.guarantee(c)));
@@ -103,6 +103,10 @@ impl PathSubject {
 
     /// What a guarantee takes for granted and disturbances take away. `start` is the largest of `σ` and `φ` at the first sample.
     fn loses(&self, guarantee: &Guarantee, disturbances: &PathDisturbances, start: f64) -> Option<&'static str> {
+        if guarantee.name == "recovery" {
+            // It is about what was seen, in counted samples, from outside.
+            return (self.moving && disturbances.delay > 0).then_some(IN_TIME);
+        }
         let moved = disturbances.initial_error != [0.0; 3];
         let above = is_band(guarantee) && guarantee.upper.is_some_and(|upper| start > upper);
         if moved && (start > 0.0 || above) {
@@ -130,11 +134,11 @@ impl PathSubject {
     fn always(&self, trace: &ConditionedTrace, disturbances: &PathDisturbances) -> Vec<Check> {
         // The band follows from the gradient, which the trace has as it is and not as it was seen.
         let late = self.moving && disturbances.delay > 0;
-        let (always, rate) = match (self.method, self.problem.reserve) {
-            (PathMethod::SlidingModeImplicit, _) => (IMPLICIT, self.problem.recovery_rate),
-            (PathMethod::SlidingMode, Reserve::On { recovery_rate }) if !late => (RESERVE, recovery_rate),
-            _ => return Vec::new(),
+        let implicit = self.method == PathMethod::SlidingModeImplicit;
+        let Some(rate) = recovery_rate(&self.problem, self.method).filter(|_| implicit || !late) else {
+            return Vec::new();
         };
+        let always = if implicit { IMPLICIT } else { RESERVE };
         let fall = rate * self.problem.sampling_period;
         let mut worst = 0.0_f64;
         for i in 0..self.problem.constraints.len() {
@@ -145,39 +149,12 @@ impl PathSubject {
                     continue;
                 }
                 let left = (beyond - fall).max(0.0);
-                beyond = sample.seen_phi[i] + self.less_its_band(i, sample);
-                let excess = beyond - left;
-                worst = if excess.is_nan() { f64::INFINITY } else { worst.max(excess) };
+                beyond = excess(&self.problem, self.method, i, sample);
+                let more = beyond - left;
+                worst = if more.is_nan() { f64::INFINITY } else { worst.max(more) };
             }
         }
-        // What the smallest push leaves of a violated limit, 1e-12 of positions and velocities of up to 10, as in the claims.
-        vec![Check::at_most(always.name, worst, 1e-11, always.unit)]
-    }
-
-    /// Margin less band of constraint `i`: zero for the implicit form without a margin.
-    fn less_its_band(&self, i: usize, sample: &ConditionedSample) -> f64 {
-        let implicit = self.method == PathMethod::SlidingModeImplicit;
-        let band = if implicit { 0.0 } else { self.full_push(i, sample) };
-        match &self.problem.margin {
-            MarginChoice::Fixed(margins) => margins[i] - band,
-            // The margin is the band.
-            MarginChoice::Band => 0.0,
-            MarginChoice::None => -band,
-        }
-    }
-
-    /// `G_i`: what the longest push of one sample takes off `φ_i`.
-    fn full_push(&self, i: usize, sample: &ConditionedSample) -> f64 {
-        let cutoff = self.problem.push_cutoff;
-        let constraints = self.problem.constraints.iter();
-        let longest = match self.problem.law {
-            SwitchingLaw::Normalised { amplitude } => amplitude,
-            SwitchingLaw::Sum { gain } => {
-                constraints.zip(&sample.gradient).map(|(c, g)| gain * cutoff * cutoff * c.approach * g).sum()
-            }
-        };
-        let approach = self.problem.constraints[i].approach;
-        bounds::push_per_sample(self.problem.sampling_period, cutoff, approach) * longest * sample.gradient[i]
+        vec![Check::at_most(always.name, worst, PUSH_ROUNDING, always.unit)]
     }
 }
 

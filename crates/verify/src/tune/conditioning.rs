@@ -60,7 +60,7 @@ fn candidate(request: &TuneRequest, rate: f64, wanted: Option<f64>) -> Result<Ca
     ];
     let (text, changes) = replaced(&request.text, &settings)?;
     let case = ConditioningCase::new(parsed(request, &text)?.problem()?, PathMethod::SlidingMode)?;
-    let statement = case.statement();
+    let statement = case.statement()?;
     Ok(Candidate { text, changes, case, statement, strength })
 }
 
