@@ -28,7 +28,8 @@ const ZEROS: &str = "\n[disturbances]\nseed = 9\njoint_noise = 0\ndelay = 0\njit
 fn without_disturbances_every_bit_is_what_it_was() {
     for (name, joints) in [("puma-helix", 6), ("planar-bend", 2), ("tiny-motion", 6), ("panda-line", 7)] {
         let none = vec![0.0; joints];
-        let zeros = format!("{}{ZEROS}initial_error = {none:?}\nspeed_error = {none:?}\n", text(name));
+        let zeros =
+            format!("{}{ZEROS}initial_error = {none:?}\njoint_offset = {none:?}\nspeed_error = {none:?}\n", text(name));
         let [plain, zeros] = [text(name), &zeros]
             .map(|text| Experiment::new(&Scenario::parse(name, text).expect("parses")).expect("valid"));
         for method in plain.methods() {
@@ -45,8 +46,14 @@ fn without_disturbances_every_bit_is_what_it_was() {
 }
 
 /// Every disturbance on its own, as the line of the table that asks for it.
-const SPEED_LINES: [&str; 5] =
-    ["initial_error = [0.01, -0.02]", "joint_noise = 1e-3", "speed_error = [0.02, -0.01]", "delay = 3", "jitter = 0.4"];
+const SPEED_LINES: [&str; 6] = [
+    "initial_error = [0.01, -0.02]",
+    "joint_noise = 1e-3",
+    "joint_offset = [1e-3, 0]",
+    "speed_error = [0.02, -0.01]",
+    "delay = 3",
+    "jitter = 0.4",
+];
 
 #[test]
 fn every_disturbance_changes_the_run_and_a_seed_repeats_it() {
@@ -70,11 +77,12 @@ fn a_disturbed_experiment_runs_what_the_scenario_with_the_table_runs() {
         seed: 3,
         initial_error: vec![0.01, 0.0],
         joint_noise: 1e-3,
+        joint_offset: vec![-1e-3, 2e-3],
         speed_error: vec![0.0, -0.02],
         delay: 1,
         jitter: 0.2,
     };
-    let table = "\n[disturbances]\nseed = 3\ninitial_error = [0.01, 0]\njoint_noise = 1e-3\nspeed_error = [0, -0.02]\ndelay = 1\njitter = 0.2\n";
+    let table = "\n[disturbances]\nseed = 3\ninitial_error = [0.01, 0]\njoint_noise = 1e-3\njoint_offset = [-1e-3, 2e-3]\nspeed_error = [0, -0.02]\ndelay = 1\njitter = 0.2\n";
     let other = experiment.with_disturbances(&disturbances).expect("valid");
     for method in experiment.methods() {
         assert_eq!(bits(&other.run(method).expect("runs")), bits(&run(&format!("{plain}{table}"), method)), "{method}");
@@ -117,6 +125,27 @@ fn errors_and_arrival_are_judged_on_the_truth() {
     let last = trace.samples.last().expect("samples");
     let distance = last.error[..3].iter().map(|e| e * e).sum::<f64>().sqrt();
     assert_eq!(trace.arrival_s.is_some(), distance <= slideway_lab::ARRIVAL_POSITION);
+}
+
+/// It sees itself at the end where it is off by what its zeros are off: there it stands, and nothing is left to wait for.
+#[test]
+fn a_robot_whose_zeros_are_off_comes_to_rest_beside_the_end_and_its_run_ends() {
+    let (plain, offset) = (text("planar-bend"), [0.01, -0.02]);
+    let off = format!("{plain}\n[disturbances]\njoint_offset = {offset:?}\n");
+    let experiment = Experiment::new(&Scenario::parse("test", &off).expect("parses")).expect("valid");
+    let end = *experiment.tool_path(2).last().expect("an end");
+    let judged = [Method::SlidingMode, Method::SlidingModeImplicit, Method::AccelerationLookAhead];
+    for method in judged {
+        let mut trace = experiment.run(method).expect("runs");
+        let (last, finish) = (trace.samples.last_mut().expect("samples"), trace.finish_s.expect("the reference ends"));
+        assert!(trace.arrival_s.is_none(), "{method}");
+        // ln(1e8) time constants of 0.05 s, and as much again.
+        assert!(last.t < finish + 2.0, "{method}: {} {finish}", last.t);
+        // Less than 1e-9 rad over tens of seconds is commanded with less than 1e-10 rad to go, on links of 1 m.
+        last.q.iter_mut().zip(offset).for_each(|(q, offset)| *q += offset);
+        let seen = *experiment.tool_trace(&trace).last().expect("samples");
+        assert!(seen.iter().zip(end).all(|(p, e)| (p - e).abs() < 1e-9), "{method}: {seen:?} {end:?}");
+    }
 }
 
 #[test]
@@ -200,6 +229,7 @@ fn disturbances_that_cannot_be_meant_are_refused_with_their_key() {
     };
     for (line, says) in [
         ("disturbances.initial_error = [0.1]", "`disturbances.initial_error`: 1 numbers given, 2 needed"),
+        ("disturbances.joint_offset = [1, 1.5]", "`disturbances.joint_offset.1`: 1.5 is outside"),
         ("disturbances.speed_error = []", "`disturbances.speed_error`: 0 numbers given, 2 needed"),
         ("disturbances.speed_error = [0, -1]", "`disturbances.speed_error.1`: -1 is outside"),
         ("disturbances.joint_noise = -1e-3", "`disturbances.joint_noise`: -0.001 is outside"),

@@ -83,7 +83,7 @@ fn every_guarantee_whose_hypotheses_a_trial_keeps_is_kept() {
 #[test]
 fn the_table_of_a_scenario_says_how_large_disturbances_get() {
     let base = request("planar-line", "sliding-mode");
-    let table = "\n[verify]\ntrials = 40\nseed = 5\ninitial_error = 0\njoint_noise = 0\nspeed_error = 0\ndelay = 0\njitter = 0.5\n";
+    let table = "\n[verify]\ntrials = 40\nseed = 5\ninitial_error = 0\njoint_noise = 0\njoint_offset = 0\nspeed_error = 0\ndelay = 0\njitter = 0.5\n";
     let text = format!("{}{table}", base.text);
     let options = verify_options("mine", &text).expect("reads");
     assert_eq!((options.trials, options.seed, options.jitter), (Some(40), Some(5), Some(0.5)));
@@ -112,6 +112,24 @@ fn noise_shifts_the_band_of_a_conditioner_by_its_size() {
         assert!(check.kept() && check.bound == stated + noise, "{check:?}");
         // Of thousands of samples at the boundary one has nearly all of the noise.
         assert!(check.measured > stated + 0.9 * noise, "{check:?} {noise}");
+    }
+}
+
+/// A reference that begins 1 mm behind a wall: most starts that are off by up to 5 mm are behind it too, and noise, delay and jitter change
+/// nothing. The weak push leaves the way back to the reserve.
+#[test]
+fn trials_that_start_outside_are_held_against_the_way_back() {
+    for (method, keys) in [("sliding-mode-implicit", "recovery_rate = 0.5"), ("sliding-mode", "reserve_rate = 0.5")] {
+        let base = request("helix-plane-sphere", method);
+        let text = base.text.replace("offset = 0 ", "offset = -0.176 ").replace("amplitude = 0.1", "amplitude = 0.001");
+        let text = text.replace("push_cutoff = 20", &format!("push_cutoff = 20\n{keys}"));
+        let text = format!("{text}\n[verify]\ninitial_error = 5e-3\n");
+        let campaign = Campaign::new(CampaignRequest { text, ..base }).expect("valid");
+        let found = trials(&campaign, 40);
+        let checks: Vec<_> =
+            found.iter().flat_map(|trial| &trial.checks).filter(|check| check.guarantee == "recovery").collect();
+        assert!(checks.len() >= 20, "{method}: {}", checks.len());
+        assert!(checks.iter().all(|check| check.kept() && check.measured > 0.0), "{method}: {checks:?}");
     }
 }
 

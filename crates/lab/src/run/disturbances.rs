@@ -20,6 +20,9 @@ pub struct Disturbances {
     pub initial_error: Vec<f64>,
     /// Greatest noise of a measured joint position, rad (m): uniform, drawn anew for every joint and sample.
     pub joint_noise: f64,
+    /// Error of the joints' zeros, rad (m), one per joint, empty for none: the controller takes joint `i` to be at `q_i + o_i`, so that its
+    /// kinematic model is wrong.
+    pub joint_offset: Vec<f64>,
     /// Error of the drives, one per joint, empty for none: joint `i` moves at `1 + e_i` times the commanded speed.
     pub speed_error: Vec<f64>,
     /// Samples by which measured joint positions are late. Before the start the robot stood still.
@@ -45,6 +48,7 @@ impl fmt::Display for Disturbances {
         let words = [
             (largest(&self.initial_error), "start off by up to {} rad (m)"),
             (self.joint_noise, "measured joints off by up to {} rad (m)"),
+            (largest(&self.joint_offset), "zeros of joints off by up to {} rad (m)"),
             (100.0 * largest(&self.speed_error), "drives off by up to {} %"),
             (f64::from(self.delay), "measurements late by {} samples"),
             (100.0 * self.jitter, "periods off by up to {} %"),
@@ -66,8 +70,9 @@ impl Disturbances {
     /// Whether there are none.
     #[must_use]
     pub fn are_none(&self) -> bool {
-        let zero = |list: &[f64]| list.iter().all(|e| *e == 0.0);
-        zero(&self.initial_error) && zero(&self.speed_error) && !self.are_random() && self.delay == 0
+        let zero = |list: &Vec<f64>| list.iter().all(|e| *e == 0.0);
+        let lists = [&self.initial_error, &self.joint_offset, &self.speed_error];
+        lists.into_iter().all(zero) && !self.are_random() && self.delay == 0
     }
 
     /// Whether the seed changes anything.
@@ -85,11 +90,16 @@ impl Disturbances {
             seed: table.seed.unwrap_or(0),
             initial_error: list(&table.initial_error),
             joint_noise: table.joint_noise.map_or(0.0, |n| n.0),
+            joint_offset: list(&table.joint_offset),
             speed_error: list(&table.speed_error),
             delay: table.delay.unwrap_or(0),
             jitter: table.jitter.map_or(0.0, |j| j.0),
         };
-        let given = [("initial_error", &table.initial_error), ("speed_error", &table.speed_error)];
+        let given = [
+            ("initial_error", &table.initial_error),
+            ("joint_offset", &table.joint_offset),
+            ("speed_error", &table.speed_error),
+        ];
         if let Some((key, _)) = given.into_iter().find(|(_, list)| list.as_ref().is_some_and(Vec::is_empty)) {
             let fault = Fault::WrongLength { found: 0, expected: joints };
             return Err(LabError::value(format!("disturbances.{key}"), fault));
@@ -100,9 +110,11 @@ impl Disturbances {
 
     /// Whether they can be meant for an arm of `joints` joints; NaN cannot.
     pub(crate) fn check(&self, joints: usize) -> Result<(), LabError> {
-        for (key, list, most) in
-            [("initial_error", &self.initial_error, f64::MAX), ("speed_error", &self.speed_error, MOST_SPEED_ERROR)]
-        {
+        for (key, list, most) in [
+            ("initial_error", &self.initial_error, f64::MAX),
+            ("joint_offset", &self.joint_offset, MOST_NOISE),
+            ("speed_error", &self.speed_error, MOST_SPEED_ERROR),
+        ] {
             if !list.is_empty() && list.len() != joints {
                 let fault = Fault::WrongLength { found: list.len(), expected: joints };
                 return Err(LabError::value(format!("disturbances.{key}"), fault));
@@ -145,6 +157,8 @@ impl Uniform {
 #[derive(Clone, Debug)]
 pub(crate) struct World<const N: usize> {
     noise: f64,
+    /// What the controller takes joints to be beyond where they are, rad (m); `None` for nothing.
+    offset: Option<JointVector<N>>,
     delay: usize,
     jitter: f64,
     /// What the drives make of one rad/s, one m/s.
@@ -158,9 +172,11 @@ impl<const N: usize> World<N> {
     pub(crate) fn new(disturbances: &Disturbances) -> Self {
         Self {
             noise: disturbances.joint_noise,
+            offset: (disturbances.joint_offset.iter().any(|o| *o != 0.0))
+                .then(|| of_joints(&disturbances.joint_offset)),
             delay: disturbances.delay as usize,
             jitter: disturbances.jitter,
-            gain: JointVector::from_fn(|i, _| 1.0 + disturbances.speed_error.get(i).copied().unwrap_or(0.0)),
+            gain: of_joints::<N>(&disturbances.speed_error).map(|error| 1.0 + error),
             measurements: VecDeque::new(),
             measuring: Uniform::new(disturbances.seed, 0),
             clock: Uniform::new(disturbances.seed, 1),
@@ -169,11 +185,11 @@ impl<const N: usize> World<N> {
 
     /// What the controller sees of a robot that stands at `q` now; `None` if that is the truth. Call it once a sample.
     pub(crate) fn measure(&mut self, q: &JointVector<N>) -> Option<JointVector<N>> {
-        if self.noise == 0.0 && self.delay == 0 {
+        if self.noise == 0.0 && self.delay == 0 && self.offset.is_none() {
             return None;
         }
         let noise = self.noise;
-        let measured = q.map(|q| q + noise * self.measuring.next());
+        let measured = self.offset.map_or(*q, |offset| q + offset).map(|q| q + noise * self.measuring.next());
         self.measurements.push_back(measured);
         if self.measurements.len() > self.delay + 1 {
             self.measurements.pop_front();
@@ -190,6 +206,11 @@ impl<const N: usize> World<N> {
     pub(crate) fn period(&mut self, nominal: f64) -> f64 {
         if self.jitter == 0.0 { nominal } else { nominal * (1.0 + self.jitter * self.clock.next()) }
     }
+}
+
+/// One number per joint, zero where the list is empty.
+fn of_joints<const N: usize>(list: &[f64]) -> JointVector<N> {
+    JointVector::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0))
 }
 
 /// Where the robot really starts.
@@ -217,6 +238,14 @@ mod tests {
     }
 
     #[test]
+    fn zeros_that_are_off_shift_what_is_seen_and_nothing_that_moves() {
+        let world = World::<2>::new(&Disturbances { joint_offset: vec![0.25, -0.5], ..Disturbances::default() });
+        let seen = world.clone().measure(&JointVector::from([1.0, 2.0]));
+        assert_eq!(seen, Some(JointVector::from([1.25, 1.5])));
+        assert_eq!(world.moved(JointVector::from([1.0, 2.0])), JointVector::from([1.0, 2.0]));
+    }
+
+    #[test]
     fn noise_and_jitter_stay_inside_what_was_asked_and_do_not_share_a_sequence() {
         let disturbances = Disturbances { seed: 5, joint_noise: 0.01, jitter: 0.3, ..Disturbances::default() };
         let mut both = World::<2>::new(&disturbances);
@@ -239,6 +268,7 @@ mod tests {
             Disturbances { jitter: f64::NAN, ..Disturbances::default() },
             Disturbances { initial_error: vec![f64::NAN], ..Disturbances::default() },
             Disturbances { initial_error: vec![f64::INFINITY], ..Disturbances::default() },
+            Disturbances { joint_offset: vec![f64::NAN], ..Disturbances::default() },
             Disturbances { speed_error: vec![-1.0], ..Disturbances::default() },
             Disturbances { speed_error: vec![0.0; 2], ..Disturbances::default() },
         ] {

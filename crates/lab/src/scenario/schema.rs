@@ -261,6 +261,7 @@ pub(crate) struct DisturbancesTable {
     pub(crate) seed: Option<u64>,
     pub(crate) initial_error: Option<Vec<Number>>,
     pub(crate) joint_noise: Option<Number>,
+    pub(crate) joint_offset: Option<Vec<Number>>,
     pub(crate) speed_error: Option<Vec<Number>>,
     pub(crate) delay: Option<u32>,
     pub(crate) jitter: Option<Number>,

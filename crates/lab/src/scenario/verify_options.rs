@@ -16,6 +16,8 @@ pub struct VerifyOptions {
     pub initial_error: Option<f64>,
     /// Noise of measured joint positions, rad (m); speed scenarios only.
     pub joint_noise: Option<f64>,
+    /// Error of the joints' zeros, rad (m): a kinematic model that is wrong; speed scenarios only.
+    pub joint_offset: Option<f64>,
     /// Error of the drives, share of the commanded speed; speed scenarios only.
     pub speed_error: Option<f64>,
     /// Noise of measured distances, m; conditioning scenarios only.
@@ -34,6 +36,7 @@ pub(crate) struct SpeedVerifyTable {
     seed: Option<u64>,
     initial_error: Option<Number>,
     joint_noise: Option<Number>,
+    joint_offset: Option<Number>,
     speed_error: Option<Number>,
     delay: Option<u32>,
     jitter: Option<Number>,
@@ -59,6 +62,7 @@ impl SpeedVerifyTable {
             seed: self.seed,
             initial_error: number(self.initial_error),
             joint_noise: number(self.joint_noise),
+            joint_offset: number(self.joint_offset),
             speed_error: number(self.speed_error),
             distance_noise: None,
             delay: self.delay,
@@ -91,6 +95,7 @@ impl VerifyOptions {
         for (key, value, most) in [
             ("initial_error", self.initial_error, 10.0),
             ("joint_noise", self.joint_noise, noise),
+            ("joint_offset", self.joint_offset, noise),
             ("speed_error", self.speed_error, crate::run::disturbances::MOST_SPEED_ERROR),
             ("distance_noise", self.distance_noise, noise),
             ("delay", self.delay.map(f64::from), crate::run::disturbances::MOST_DELAY.into()),

@@ -9,6 +9,7 @@ use toml::{Table, Value};
 pub(crate) enum Kind {
     InitialError,
     JointNoise,
+    JointOffset,
     SpeedError,
     DistanceNoise,
     Delay,
@@ -20,6 +21,7 @@ impl Kind {
         match self {
             Self::InitialError => "initial_error",
             Self::JointNoise => "joint_noise",
+            Self::JointOffset => "joint_offset",
             Self::SpeedError => "speed_error",
             Self::DistanceNoise => "distance_noise",
             Self::Delay => "delay",
@@ -37,7 +39,8 @@ pub(crate) struct Ranges {
 }
 
 impl Ranges {
-    /// Around a speed scenario: an arm set up within 3 degrees, encoders of 0.1 mrad, drives of 2 %, two samples of transport, a period
+    /// Around a speed scenario: an arm set up within 3 degrees, encoders of 0.1 mrad, zeros
+    /// of 1 mrad, drives of 2 %, two samples of transport, a period
     /// within a fifth. Where no joint goes as far as 1 rad (1 m), `extent` is how far the farthest goes, and start and encoders are
     /// finer in proportion: a motion of a tenth of a millimetre is not run on an arm that is 3 degrees off.
     pub(crate) fn of_speed(options: &VerifyOptions, joints: usize, extent: f64) -> Self {
@@ -47,6 +50,7 @@ impl Ranges {
             [
                 (Kind::InitialError, options.initial_error.unwrap_or(0.05 * fine)),
                 (Kind::JointNoise, options.joint_noise.unwrap_or(1e-4 * fine)),
+                (Kind::JointOffset, options.joint_offset.unwrap_or(1e-3 * fine)),
                 (Kind::SpeedError, options.speed_error.unwrap_or(0.02)),
                 (Kind::Delay, options.delay.map_or(2.0, f64::from)),
                 (Kind::Jitter, options.jitter.unwrap_or(0.2)),
@@ -107,7 +111,9 @@ impl Draw {
             let axes: Vec<f64> = (0..ranges.axes).map(|_| 2.0 * share() - 1.0).collect();
             let reach = most * if only.is_some() { 1.0 } else { own };
             let full = match kind {
-                Kind::InitialError | Kind::SpeedError => axes.iter().map(|axis| reach * axis).collect(),
+                Kind::InitialError | Kind::JointOffset | Kind::SpeedError => {
+                    axes.iter().map(|axis| reach * axis).collect()
+                }
                 Kind::JointNoise | Kind::DistanceNoise | Kind::Delay | Kind::Jitter => vec![reach],
             };
             only.is_none_or(|only| only == i).then_some(Part { kind, full })
@@ -140,6 +146,7 @@ impl Draw {
             seed: self.seed,
             initial_error: self.list(Kind::InitialError),
             joint_noise: self.number(Kind::JointNoise),
+            joint_offset: self.list(Kind::JointOffset),
             speed_error: self.list(Kind::SpeedError),
             delay: self.samples(),
             jitter: self.number(Kind::Jitter),
@@ -163,7 +170,7 @@ impl Draw {
         let mut table = Table::new();
         for part in &self.parts {
             let value = match part.kind {
-                Kind::InitialError | Kind::SpeedError => {
+                Kind::InitialError | Kind::JointOffset | Kind::SpeedError => {
                     Some(Value::from(self.list(part.kind))).filter(|_| self.size > 0.0)
                 }
                 Kind::Delay => Some(self.samples()).filter(|delay| *delay > 0).map(Value::from),
@@ -212,6 +219,7 @@ mod tests {
             let s = draw.size();
             assert!(s > 0.0 && s <= 1.0);
             assert!(whole.initial_error.iter().all(|e| e.abs() <= 0.05 * s));
+            assert!(whole.joint_offset.iter().all(|o| o.abs() <= 1e-3 * s));
             assert!(whole.speed_error.iter().all(|e| e.abs() <= 0.02 * s));
             assert!(whole.joint_noise <= 1e-4 * s && whole.jitter <= 0.2 * s && whole.delay <= 2);
             // Halving is exact.
@@ -227,10 +235,12 @@ mod tests {
         let alone: Vec<Kind> = draws.iter().map(Draw::kinds).filter(|k| k.len() == 1).map(|k| k[0]).collect();
         // 1000 fair coins: 500 with a deviation of 16; 90 is more than five of them.
         assert!((410..590).contains(&alone.len()), "{}", alone.len());
-        for kind in [Kind::InitialError, Kind::JointNoise, Kind::SpeedError, Kind::Delay, Kind::Jitter] {
+        let all =
+            [Kind::InitialError, Kind::JointNoise, Kind::JointOffset, Kind::SpeedError, Kind::Delay, Kind::Jitter];
+        for kind in all {
             assert!(alone.contains(&kind), "{kind:?}");
         }
-        assert!(draws.iter().all(|draw| matches!(draw.kinds().len(), 1 | 5)));
+        assert!(draws.iter().all(|draw| matches!(draw.kinds().len(), 1 | 6)));
     }
 
     #[test]

@@ -217,7 +217,8 @@ impl SpeedSubject {
         if of_time && disturbances.jitter > 0.0 {
             return Some(COUNTED);
         }
-        let misread = self.by_joints && (disturbances.joint_noise > 0.0 || disturbances.delay > 0);
+        let off = disturbances.joint_offset.iter().any(|offset| *offset != 0.0);
+        let misread = self.by_joints && (disturbances.joint_noise > 0.0 || disturbances.delay > 0 || off);
         (of_time && misread && guarantee.rests_on.iter().any(|name| name == "settling")).then_some(SEEN)
     }
 }

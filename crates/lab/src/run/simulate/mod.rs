@@ -1,11 +1,13 @@
+mod record;
+mod settle;
+
 use crate::error::LabError;
 use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::run::controller::Demand;
 use crate::run::disturbances::{World, displaced};
 use crate::run::law::{Decision, Law, Method, Situation};
-use crate::run::trace::{Chatter, Sample, Trace};
-use slideway_conditioner::{AffineSpeed, Saturation, SpeedLimits, bounds};
+use crate::run::trace::Trace;
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
@@ -18,7 +20,7 @@ pub(crate) fn simulate<const N: usize>(
     fixed_rate: f64,
     horizon: f64,
 ) -> Result<Trace, LabError> {
-    let mut run = Run::new(problem, method, fixed_rate)?;
+    let mut run = Run::new(problem, method, fixed_rate, horizon)?;
     while run.t() < horizon && run.trace.samples.len() < MAX_SAMPLES && run.is_finite() {
         if run.trace.finish_s.is_none() {
             run.follow()?;
@@ -45,6 +47,8 @@ struct Run<'a, const N: usize> {
     law: Law<N>,
     integration: Integration,
     period: f64,
+    /// When to give up, s.
+    horizon: f64,
     /// What the sample before really lasted, s.
     elapsed: f64,
     /// By how much the clock is ahead of the counted samples, s.
@@ -59,11 +63,13 @@ struct Run<'a, const N: usize> {
     before: Option<(Demand<N>, f64, [f64; N])>,
     /// Distance from the path's end at the sample before, while the robot settles there.
     settling: Option<f64>,
+    /// Samples since the joints last moved, while the robot settles.
+    standing: u32,
     trace: Trace,
 }
 
 impl<'a, const N: usize> Run<'a, N> {
-    fn new(problem: &'a Problem<N>, method: Method, fixed_rate: f64) -> Result<Self, LabError> {
+    fn new(problem: &'a Problem<N>, method: Method, fixed_rate: f64, horizon: f64) -> Result<Self, LabError> {
         let (period, integration) = if method.is_regulated() {
             (problem.control.sampling_period, Integration::Euler)
         } else {
@@ -74,6 +80,7 @@ impl<'a, const N: usize> Run<'a, N> {
             law: Law::new(problem, method, fixed_rate)?,
             integration,
             period,
+            horizon,
             elapsed: period,
             drift: 0.0,
             lambda: problem.path.start(),
@@ -83,6 +90,7 @@ impl<'a, const N: usize> Run<'a, N> {
             world: World::new(&problem.disturbances),
             before: None,
             settling: None,
+            standing: 0,
             trace: Trace {
                 method,
                 joints: N,
@@ -183,138 +191,6 @@ impl<'a, const N: usize> Run<'a, N> {
         let k3 = slope(self.q + k2 * (h / 2.0), 0.5);
         let k4 = slope(self.q + k3 * h, 1.0);
         self.q + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (h / 6.0)
-    }
-
-    /// One sample of the robot catching up with a reference at its end; whether it has arrived.
-    fn settle(&mut self) -> Result<bool, LabError> {
-        let t = self.t();
-        let observed = self.observe();
-        // To have arrived is a fact, whatever the controller sees.
-        let distance = observed.truth.distance;
-        if matches!(self.law, Law::Acceleration(_)) {
-            return Ok(self.settle_under_acceleration_limits(t, &observed));
-        }
-        let desired: [f64; N] = observed.demand.feedback.into();
-        let limits = self.problem.speed_limits_at(self.lambda)?;
-        let saturation =
-            if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
-        let mut joint_speed = limits.saturate(&desired, saturation).joint_speed;
-        if self.trace.method == Method::Ideal {
-            joint_speed = desired;
-        }
-        self.trace.samples.push(Sample {
-            t,
-            lambda: self.lambda,
-            path_rate: 0.0,
-            factor: 0.0,
-            switch: if limits.contain(&desired) { 1.0 } else { 0.0 },
-            direction_factor: limits.saturate(&desired, saturation).direction_factor,
-            limit_ratio: limits.ratio(&desired),
-            limiting_joint: limits.limiting_joint(&desired),
-            error: observed.truth.error.into(),
-            q: pad(&self.q),
-            split: self.split(&observed.demand),
-            desired: pad(&desired.into()),
-            commanded: pad(&joint_speed.into()),
-            chatter: None,
-        });
-        if distance <= 1.0 {
-            self.trace.arrival_s = Some(self.arrival_time(t, distance));
-            return Ok(true);
-        }
-        self.settling = Some(distance);
-        self.begin_period();
-        self.move_joints(joint_speed.into());
-        Ok(false)
-    }
-
-    /// The same under acceleration limits, where to be there means to be able to stay: the joints can stand with the next sample.
-    fn settle_under_acceleration_limits(&mut self, t: f64, observed: &Observed<N>) -> bool {
-        let Law::Acceleration(law) = &mut self.law else { return true };
-        let could_stand = law.can_stand();
-        let decision = law.settle(self.problem, &observed.demand);
-        self.record(t, observed, &decision, &self.problem.speed_limits);
-        let distance = observed.truth.distance;
-        if distance <= 1.0 && could_stand {
-            let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);
-            self.trace.arrival_s = Some(if stopped_inside { t } else { self.arrival_time(t, distance) });
-            return true;
-        }
-        self.settling = Some(distance);
-        self.begin_period();
-        self.move_joints(decision.command.joint_speed.into());
-        false
-    }
-
-    /// The moment of arrival, interpolated between the sample before and this one, not before the reference's.
-    fn arrival_time(&self, t: f64, distance: f64) -> f64 {
-        match self.settling {
-            // The sample before stood outside, with the reference already at its end.
-            Some(before) => {
-                let fraction = if before > distance { (before - 1.0) / (before - distance) } else { 1.0 };
-                t - self.elapsed + self.elapsed * fraction.clamp(0.0, 1.0)
-            }
-            None => self.trace.finish_s.unwrap_or(t),
-        }
-    }
-
-    /// `A` and `B` at a sample.
-    fn split(&self, demand: &Demand<N>) -> AffineSpeed<MAX_JOINTS> {
-        let feedforward = demand.path_speed * self.problem.control.target_rate;
-        AffineSpeed { feedback: pad(&demand.feedback), feedforward: pad(&feedforward) }
-    }
-
-    fn record(&mut self, t: f64, observed: &Observed<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
-        let (command, demand) = (&decision.command, &observed.demand);
-        let shortened = decision.advance_rate < command.path_rate;
-        let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
-            (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
-            _ => None,
-        };
-        self.trace.samples.push(Sample {
-            t,
-            lambda: self.lambda,
-            path_rate: command.path_rate,
-            factor: command.factor,
-            switch: command.switch,
-            direction_factor: command.direction_factor,
-            limit_ratio: command.limit_ratio,
-            limiting_joint: limits.limiting_joint(&decision.desired),
-            error: observed.truth.error.into(),
-            q: pad(&self.q),
-            split: self.split(demand),
-            desired: pad(&decision.desired.into()),
-            commanded: pad(&command.joint_speed.into()),
-            chatter,
-        });
-        self.before = Some((*demand, command.factor, decision.desired));
-    }
-
-    /// The change of `q̇d = A + f B` since the sample before, its bound and the paper's estimate.
-    fn chatter(
-        &self,
-        before: &(Demand<N>, f64, [f64; N]),
-        demand: &Demand<N>,
-        factor: f64,
-        desired: &[f64; N],
-    ) -> Chatter {
-        let control = &self.problem.control;
-        let filter_step = control.filter_step();
-        let (last, last_factor, last_desired) = before;
-        let mut chatter = Chatter { measured: 0.0, bound: 0.0, estimate: 0.0 };
-        let limits = &self.problem.speed_limits;
-        for i in 0..N {
-            let limit = limits.upper()[i].min(-limits.lower()[i]);
-            let feedforward = demand.path_speed[i] * control.target_rate;
-            let drift = last_factor * (feedforward - last.path_speed[i] * control.target_rate).abs()
-                + (demand.feedback[i] - last.feedback[i]).abs();
-            let bound = bounds::chattering_bound(feedforward, factor - last_factor, drift);
-            let estimate = bounds::chattering_estimate(demand.path_speed[i], filter_step, control.target_rate);
-            chatter.measured = chatter.measured.max((desired[i] - last_desired[i]).abs() / limit);
-            chatter.bound = chatter.bound.max(bound / limit);
-            chatter.estimate = chatter.estimate.max(estimate / limit);
-        }
-        chatter
     }
 }
 

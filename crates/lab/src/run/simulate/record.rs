@@ -1,0 +1,69 @@
+//! What a sample leaves in the trace.
+
+use super::{Observed, Run, pad};
+use crate::robot::MAX_JOINTS;
+use crate::run::controller::Demand;
+use crate::run::law::Decision;
+use crate::run::trace::{Chatter, Sample};
+use slideway_conditioner::{AffineSpeed, SpeedLimits, bounds};
+
+impl<const N: usize> Run<'_, N> {
+    /// `A` and `B` at a sample.
+    pub(super) fn split(&self, demand: &Demand<N>) -> AffineSpeed<MAX_JOINTS> {
+        let feedforward = demand.path_speed * self.problem.control.target_rate;
+        AffineSpeed { feedback: pad(&demand.feedback), feedforward: pad(&feedforward) }
+    }
+
+    pub(super) fn record(&mut self, t: f64, observed: &Observed<N>, decision: &Decision<N>, limits: &SpeedLimits<N>) {
+        let (command, demand) = (&decision.command, &observed.demand);
+        let shortened = decision.advance_rate < command.path_rate;
+        let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
+            (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
+            _ => None,
+        };
+        self.trace.samples.push(Sample {
+            t,
+            lambda: self.lambda,
+            path_rate: command.path_rate,
+            factor: command.factor,
+            switch: command.switch,
+            direction_factor: command.direction_factor,
+            limit_ratio: command.limit_ratio,
+            limiting_joint: limits.limiting_joint(&decision.desired),
+            error: observed.truth.error.into(),
+            q: pad(&self.q),
+            split: self.split(demand),
+            desired: pad(&decision.desired.into()),
+            commanded: pad(&command.joint_speed.into()),
+            chatter,
+        });
+        self.before = Some((*demand, command.factor, decision.desired));
+    }
+
+    /// The change of `q̇d = A + f B` since the sample before, its bound and the paper's estimate.
+    fn chatter(
+        &self,
+        before: &(Demand<N>, f64, [f64; N]),
+        demand: &Demand<N>,
+        factor: f64,
+        desired: &[f64; N],
+    ) -> Chatter {
+        let control = &self.problem.control;
+        let filter_step = control.filter_step();
+        let (last, last_factor, last_desired) = before;
+        let mut chatter = Chatter { measured: 0.0, bound: 0.0, estimate: 0.0 };
+        let limits = &self.problem.speed_limits;
+        for i in 0..N {
+            let limit = limits.upper()[i].min(-limits.lower()[i]);
+            let feedforward = demand.path_speed[i] * control.target_rate;
+            let drift = last_factor * (feedforward - last.path_speed[i] * control.target_rate).abs()
+                + (demand.feedback[i] - last.feedback[i]).abs();
+            let bound = bounds::chattering_bound(feedforward, factor - last_factor, drift);
+            let estimate = bounds::chattering_estimate(demand.path_speed[i], filter_step, control.target_rate);
+            chatter.measured = chatter.measured.max((desired[i] - last_desired[i]).abs() / limit);
+            chatter.bound = chatter.bound.max(bound / limit);
+            chatter.estimate = chatter.estimate.max(estimate / limit);
+        }
+        chatter
+    }
+}
