@@ -1,4 +1,5 @@
 use crate::jet::{Jet, JetOperators};
+use crate::powers::in_parentheses;
 use exmex::{Express, FlatEx, MatchLiteral};
 use thiserror::Error;
 
@@ -43,7 +44,7 @@ pub enum FormulaError {
 
 /// Numbers as people write them: `3`, `.5`, `2.5e-3`. The parser's own matcher does not know exponents.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Literal;
+pub(crate) struct Literal;
 
 impl MatchLiteral for Literal {
     fn is_literal(text: &str) -> Option<&str> {
@@ -86,7 +87,7 @@ impl MultiFormula {
     /// Parses a formula in the given variables.
     pub(crate) fn new(text: &str, variables: &'static [&'static str]) -> Result<Self, FormulaError> {
         check_size(text)?;
-        let expression = Expression::parse(text).map_err(|error| syntax(text, &error))?;
+        let expression = Expression::parse(&in_parentheses(text)).map_err(|error| syntax(text, &error))?;
         let slot = |name: &String| match variables.iter().position(|v| v == name) {
             Some(index) => Ok(Some(index)),
             None if name == "pi" => Ok(None),

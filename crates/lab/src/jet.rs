@@ -29,11 +29,15 @@ impl Jet {
     #[allow(clippy::cast_possible_truncation)]
     fn power(self, exponent: Self) -> Self {
         let n = exponent.0.re;
-        Self(match exponent.is_constant() {
-            true if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) => self.0.powi(n as i32),
+        let with_derivatives = match exponent.is_constant() {
+            // The products of exponents that derivatives take fit into their integers.
+            true if n.fract() == 0.0 && n.abs() <= 1000.0 => return Self(self.0.powi(n as i32)),
+            true if self.is_constant() => Self::constant(n).0,
             true => self.0.powf(n),
             false => self.0.powd(exponent.0),
-        })
+        };
+        // The value is there where derivatives are not, as at zero.
+        Self(HyperDual64 { re: self.0.re.powf(n), ..with_derivatives })
     }
 }
 
@@ -61,7 +65,8 @@ fn binary<'a>(name: &'a str, prio: i64, apply: fn(Jet, Jet) -> Jet) -> Operator<
 
 impl MakeOperators<Jet> for JetOperators {
     fn make<'a>() -> Vec<Operator<'a, Jet>> {
-        let sum = BinOp { apply: |a: Jet, b: Jet| Jet(a.0 + b.0), prio: 0, is_commutative: true };
+        // Not declared commutative: the parser then sums constants of a sum first, and loses the sign in front of it, as in `-(x + 1 + 1)`.
+        let sum = BinOp { apply: |a: Jet, b: Jet| Jet(a.0 + b.0), prio: 0, is_commutative: false };
         let difference = BinOp { apply: |a: Jet, b: Jet| Jet(a.0 - b.0), prio: 1, is_commutative: false };
         vec![
             Operator::make_bin_unary("+", sum, |a| a),

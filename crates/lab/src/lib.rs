@@ -21,6 +21,7 @@ mod limits;
 pub mod natural;
 mod parallel;
 mod path;
+mod powers;
 mod problem;
 mod published;
 mod robot;
