@@ -56,6 +56,7 @@ fn sample(problem: &ConditioningProblem, reference: &Motion<3>, placed: &Placed)
         share: [0.0; MAX_CONSTRAINTS],
         gradient: [0.0; MAX_CONSTRAINTS],
         push: std::array::from_fn(|i| placed.motion.position[i] - reference.position[i]),
+        reserve: [0.0; 3],
         walk: [0.0; 3],
         phase: placed.phase,
     };

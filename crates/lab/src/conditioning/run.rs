@@ -174,6 +174,7 @@ fn sample<const M: usize>(
         share: pad(&step.share),
         gradient: pad(&gradient),
         push: step.push,
+        reserve: step.reserve,
         walk: step.walk,
         phase: phase(step.outcome, step.trap),
     }

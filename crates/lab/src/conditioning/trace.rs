@@ -128,6 +128,8 @@ pub struct ConditionedSample {
     pub gradient: [f64; MAX_CONSTRAINTS],
     /// Push `u_1`, m.
     pub push: [f64; 3],
+    /// What the reserve added to the push of the interval that ends here, m.
+    pub reserve: [f64; 3],
     /// Walk `f_RW`, m.
     pub walk: [f64; 3],
     /// What the method did.

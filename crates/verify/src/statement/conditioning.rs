@@ -123,6 +123,7 @@ impl ConditioningCase {
         ContactSignals {
             push_share: 1.0,
             held: 0.0,
+            reserve: 0.0,
             rise: room(n.rise),
             // A fall by drift is harmless; room for a quarter of the rise where the run has none.
             fall: room(n.fall).max(0.25 * n.rise),
@@ -176,6 +177,9 @@ impl ConditioningCase {
                 declared.fall,
             );
         }
+        if self.method == PathMethod::SlidingMode && self.reserve().is_some() && n.reserve == 0.0 {
+            add("reserve", "path-reserve", "share of samples that the reserve answered", "1", n.reserve, 0.0);
+        }
         if self.method == PathMethod::SlidingMode && self.reserve().is_none() {
             let text =
                 "drift of φ over the push against it, at samples at which the constraint acts: gain against push";
@@ -200,6 +204,11 @@ impl ConditioningCase {
     }
 
     fn stronger_push(&self, share: f64) -> String {
+        if !share.is_finite() {
+            return "no length of the push is enough: constraints that act together share it, and it drives one of them outwards; set \
+                    `conditioner.reserve_rate`, or use `--method sliding-mode-implicit`"
+                .into();
+        }
         let by = |value: f64| shown_up(1.1 * share * value);
         match self.problem.law {
             SwitchingLaw::Normalised { amplitude } => {
@@ -223,15 +232,19 @@ impl ConditioningCase {
     /// Upper bound on `φ`, the claim and what it rests on.
     fn phi(&self) -> (f64, &'static str, Vec<&'static str>) {
         let d = self.declared();
-        let within = d.rise - d.margin;
-        match self.method {
-            PathMethod::SlidingModeImplicit => (ROUNDING - d.margin, "path-implicit", vec!["held"]),
+        let (bound, claim, rests) = match self.method {
+            PathMethod::SlidingModeImplicit => (-d.margin, "path-implicit", vec!["held"]),
             _ if self.reserve().is_some() && self.problem.margin == MarginChoice::Band => {
-                (ROUNDING, "path-reserve", vec!["held"])
+                (0.0, "path-reserve", vec!["held"])
             }
-            _ if self.reserve().is_some() => (d.push - d.margin + ROUNDING, "path-reserve", vec!["push", "held"]),
-            _ => (within.max(d.start) + ROUNDING, "path-band", vec!["cutoff-step", "rise", "push-share", "held"]),
-        }
+            // From above the band its excess falls, while the band may grow by what the gradient does.
+            _ if self.reserve().is_some() && d.start > d.push - d.margin => {
+                (d.start + d.push, "path-reserve", vec!["push", "held"])
+            }
+            _ if self.reserve().is_some() => (d.push - d.margin, "path-reserve", vec!["push", "held"]),
+            _ => (d.rise - d.margin, "path-band", vec!["cutoff-step", "rise", "push-share", "held"]),
+        };
+        (bound.max(d.start) + ROUNDING, claim, rests)
     }
 
     fn guarantees(&self) -> Result<Vec<Guarantee>, VerifyError> {
@@ -247,17 +260,24 @@ impl ConditioningCase {
             measured: Some(measured.sigma),
             ..up_to("penetration", "path-lag", text, "m", sigma, &rests)
         });
-        if self.method == PathMethod::SlidingMode {
-            let text = "largest change of φ over one sample while its constraint acts";
-            let bound = declared.rise.max(declared.push + declared.fall);
-            let rests = ["rise", "push", "fall", "held"];
-            list.push(Guarantee {
-                measured: measured.chattering,
-                ..up_to("chattering", "path-band", text, "m", bound, &rests)
-            });
-        }
+        list.extend(self.chattering());
         list.extend(self.recovery()?);
         Ok(list)
+    }
+
+    /// While a constraint acts `φ` rises by no more than the push loses, and falls by no more than push and drift together. What the
+    /// reserve adds for one constraint may move another by any amount: nothing is stated of runs that it answers.
+    fn chattering(&self) -> Option<Guarantee> {
+        if self.method != PathMethod::SlidingMode || self.nominal.reserve > 0.0 {
+            return None;
+        }
+        let declared = self.declared();
+        let text = "largest change of φ over one sample while its constraint acts";
+        let bound = declared.rise.max(declared.push + declared.fall);
+        let mut rests = vec!["rise", "push", "fall", "held"];
+        rests.push(if self.reserve().is_some() { "reserve" } else { "push-share" });
+        let guarantee = up_to("chattering", "path-band", text, "m", bound, &rests);
+        Some(Guarantee { measured: self.measured.chattering, ..guarantee })
     }
 
     fn remarks(&self) -> Vec<String> {
@@ -284,6 +304,7 @@ pub(crate) fn observed(problem: &ConditioningProblem, trace: &ConditionedTrace) 
         ("fall", signals.fall),
         ("bulge", signals.bulge),
         ("held", signals.held),
+        ("reserve", signals.reserve),
         ("push-share", signals.push_share),
         ("margin", signals.margin),
     ];

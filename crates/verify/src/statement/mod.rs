@@ -136,6 +136,12 @@ impl Statement {
         self.hypotheses.iter().all(Hypothesis::holds)
     }
 
+    /// Whether every hypothesis holds and nothing measured is outside its guarantee.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.accepts() && self.violated().next().is_none()
+    }
+
     /// The guarantees whose measured value is outside.
     pub fn violated(&self) -> impl Iterator<Item = &Guarantee> {
         self.guarantees.iter().filter(|g| g.measured.is_some_and(|value| !g.contains(value)))

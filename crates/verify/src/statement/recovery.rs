@@ -47,8 +47,8 @@ pub(crate) fn excess(
     sample.seen_phi[index] + margin_less_band
 }
 
-/// `G_i`: what the longest push of one sample takes off `φ_i`.
-fn full_push(problem: &ConditioningProblem, index: usize, sample: &ConditionedSample) -> f64 {
+/// `G_i`: what the longest push of one sample that the law can give takes off `φ_i`, whichever constraints act.
+pub(super) fn full_push(problem: &ConditioningProblem, index: usize, sample: &ConditionedSample) -> f64 {
     let cutoff = problem.push_cutoff;
     let constraints = problem.constraints.iter();
     let longest = match problem.law {
@@ -87,7 +87,7 @@ impl ConditioningCase {
     pub(super) fn recovery(&self) -> Result<Option<Guarantee>, VerifyError> {
         let Some(rate) = recovery_rate(&self.problem, self.method) else { return Ok(None) };
         let text = format!(
-            "from rest {:.0} mm outside until every φ is back in its band; σ follows with the approach time",
+            "from φ of at most {:.0} mm (a start at rest as far outside) until every φ is back in its band; σ follows with the approach time",
             1e3 * OUTSIDE
         );
         let claim = if self.method == PathMethod::SlidingModeImplicit { "path-implicit" } else { "path-reserve" };

@@ -122,14 +122,16 @@ pub(crate) struct Always {
 }
 
 impl Always {
-    /// As it stands in a statement. Its bound is in the text: in a run it is judged sample by sample, or by the run's own signals.
+    /// As it stands in a statement. Its bound is in the text: in a run it is judged sample by sample, or by the run's own signals. Only
+    /// where the run without a trial's disturbances breaks it does the bound stand beside what was measured.
     pub(crate) fn guarantee(&self, nominal: &Check) -> Guarantee {
+        let broken = (!nominal.kept()).then_some(nominal.bound);
         Guarantee {
             name: self.name.into(),
             claim: self.name.into(),
             text: self.text.into(),
-            lower: None,
-            upper: None,
+            lower: broken.filter(|bound| nominal.measured < *bound),
+            upper: broken.filter(|bound| !(nominal.measured < *bound)),
             unit: self.unit.into(),
             rests_on: Vec::new(),
             measured: Some(nominal.measured),

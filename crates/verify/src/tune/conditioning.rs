@@ -21,7 +21,11 @@ struct Candidate {
 
 enum Found {
     Does(Box<Candidate>),
-    TooCoarse { amplitude: f64 },
+    TooCoarse {
+        amplitude: f64,
+    },
+    /// Constraints share a push that drives one of them outwards.
+    Loses,
 }
 
 pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
@@ -31,6 +35,13 @@ pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
             reason: format!("at {} Hz the push that beats the drift of one sample moves φ further", request.rate),
             rate: enough(request, amplitude)?,
             chattering: Some(shown_up(amplitude)),
+        })),
+        Found::Loses => Ok(TuneOutcome::Impossible(Impossible {
+            reason:
+                "constraints that act together share one push, and it drives one of them outwards, whatever its length"
+                    .into(),
+            rate: None,
+            chattering: None,
         })),
     }
 }
@@ -71,10 +82,15 @@ fn at(request: &TuneRequest, rate: f64) -> Result<Found, VerifyError> {
         let amplitude = bound(&tried.statement, "chattering");
         let contact = tried.case.nominal();
         let enough = contact.push_share * (1.0 + MARGIN) <= 1.0;
-        if amplitude <= request.chattering && enough && tried.statement.accepts() && tried.case.completed() {
+        if amplitude <= request.chattering && enough && tried.statement.holds() && tried.case.completed() {
             return Ok(Found::Does(Box::new(tried)));
         }
-        let least = tried.strength * contact.push_share * (1.0 + MARGIN) * 1.02;
+        if contact.push_share == f64::INFINITY {
+            return Ok(Found::Loses);
+        }
+        // Where the reserve answers, the push is too weak by an amount that the run does not tell.
+        let short = if contact.reserve > 0.0 { 1.5 } else { contact.push_share * (1.0 + MARGIN) * 1.02 };
+        let least = tried.strength * short;
         let fall = room(contact.fall).max(0.25 * contact.rise);
         let most = 0.99 * tried.strength * (request.chattering - fall) / room(contact.push);
         if !(least <= most) || room(contact.rise) > request.chattering {
@@ -102,6 +118,7 @@ fn enough(request: &TuneRequest, amplitude: f64) -> Result<Option<f64>, VerifyEr
         match at(request, rate)? {
             Found::Does(_) => return Ok(Some(rate)),
             Found::TooCoarse { amplitude } => rate *= by(amplitude),
+            Found::Loses => return Ok(None),
         }
     }
     Ok(None)

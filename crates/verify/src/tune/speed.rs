@@ -129,7 +129,7 @@ impl Tuner<'_> {
             let keeps = amplitude <= self.request.chattering && candidate.step >= slowest;
             // The last percent is not worth a run.
             let near = amplitude >= 0.97 * self.request.chattering || candidate.step >= 0.99 * LARGEST_STEP;
-            if keeps && candidate.statement.accepts() && (near || round + 1 == ROUNDS) {
+            if keeps && candidate.statement.holds() && (near || round + 1 == ROUNDS) {
                 return Ok(Found::Does(Box::new(candidate)));
             }
             let per_step = candidate.case.chattering_per_step();
@@ -139,7 +139,7 @@ impl Tuner<'_> {
             let least = slowest * (1.0 + 1e-2);
             if wanted < least && candidate.step <= 1.02 * least {
                 let amplitude = rest + per_step * least;
-                return Ok(if amplitude <= self.request.chattering && keeps && candidate.statement.accepts() {
+                return Ok(if amplitude <= self.request.chattering && keeps && candidate.statement.holds() {
                     Found::Does(Box::new(candidate))
                 } else {
                     Found::TooCoarse { amplitude: amplitude.max(bound(&candidate.statement, "chattering")) }
@@ -149,7 +149,7 @@ impl Tuner<'_> {
         }
         let amplitude = bound(&candidate.statement, "chattering");
         let slow = candidate.step >= self.slowest(&candidate);
-        Ok(if amplitude <= self.request.chattering && slow && candidate.statement.accepts() {
+        Ok(if amplitude <= self.request.chattering && slow && candidate.statement.holds() {
             Found::Does(Box::new(candidate))
         } else {
             Found::TooCoarse { amplitude }
