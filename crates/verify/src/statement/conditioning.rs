@@ -108,7 +108,7 @@ impl ConditioningCase {
         Ok(statement.keep_what_holds())
     }
 
-    /// Whether the margin is that of the band, which is known at contacts only.
+    /// Whether the margin is that of the band, which follows the gradients.
     fn band(&self) -> bool {
         self.method == PathMethod::SlidingMode && self.problem.margin == MarginChoice::Band
     }
@@ -186,7 +186,7 @@ impl ConditioningCase {
             add("push-share", "path-band", text, "1", n.push_share, 1.0);
         }
         if self.band() {
-            let text = "smallest margin of the band while a constraint acts";
+            let text = "smallest margin of the band along the run";
             let margin = at_most("margin", "path-reserve", text, "m");
             list.push(Hypothesis { value: n.margin, relation: Relation::AtLeast, needed: declared.margin, ..margin });
         }

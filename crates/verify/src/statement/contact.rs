@@ -40,6 +40,8 @@ struct Step {
     full: f64,
     acts: bool,
     change: f64,
+    /// Margin of the law at the sample.
+    margin: f64,
     /// `φ` plus margin: the constraint acts from 0 on.
     excess: f64,
     /// Length of what was pushed, the reserve included.
@@ -68,7 +70,8 @@ impl ContactSignals {
             let steps: Vec<Step> =
                 trace.samples.windows(2).map(|pair| step(problem, trace.method, index, pair)).collect();
             signals.take(problem, index, &steps);
-            narrowest = steps.iter().filter(|s| s.acts).map(|s| s.full).fold(narrowest, f64::min);
+            // Those that do not act too: their `φ` stays below their own margins.
+            narrowest = steps.iter().map(|s| s.margin).fold(narrowest, f64::min);
         }
         if problem.margin == MarginChoice::Band && trace.method == PathMethod::SlidingMode && narrowest.is_finite() {
             signals.margin = narrowest;
@@ -125,7 +128,7 @@ fn start(sample: &ConditionedSample, constraints: usize) -> f64 {
     both.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The margin that holds everywhere; that of the band is known at contacts only.
+/// The margin that holds everywhere; that of the band follows the gradients.
 fn margin(problem: &ConditioningProblem) -> f64 {
     match &problem.margin {
         MarginChoice::Fixed(margins) => margins.iter().copied().fold(f64::INFINITY, f64::min),
@@ -163,6 +166,7 @@ fn step(problem: &ConditioningProblem, method: PathMethod, index: usize, pair: &
         full: if reserve { full_push(problem, index, now) } else { given },
         acts: now.share[index] > 0.0,
         change,
+        margin,
         excess: now.phi[index] + margin,
         given: per_push * length(&gradient) * length(&whole),
         plain: !answered(now) && !answered(next),
