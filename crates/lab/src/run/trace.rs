@@ -59,7 +59,8 @@ pub struct Sample {
 pub struct Chatter {
     /// What it was.
     pub measured: f64,
-    /// What it can be at most: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`).
+    /// What it can be at most, to rounding: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`), with the capped factor in place
+    /// of `f` where the tool's speed limit caps the path rate.
     pub bound: f64,
     /// The paper's estimate `|v_i| a λ̇d`, `[G11] eq 23`.
     pub estimate: f64,

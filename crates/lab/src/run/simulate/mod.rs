@@ -59,7 +59,7 @@ struct Run<'a, const N: usize> {
     /// Euler triple of the tool as the controller saw it one sample earlier.
     seen_euler: EulerAngles,
     world: World<N>,
-    /// The sample before: demand and factor, for the change of the desired speed.
+    /// The sample before: demand, its factor `g` and desired speed, for the change of the latter.
     before: Option<(Demand<N>, f64, [f64; N])>,
     /// Distance from the path's end at the sample before, while the robot settles there.
     settling: Option<f64>,
