@@ -11,7 +11,7 @@ use crate::run::trace::Trace;
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
-pub(crate) const MAX_SAMPLES: usize = 5_000_000;
+pub const MAX_SAMPLES: usize = 5_000_000;
 
 /// Runs one method. `fixed_rate` is the rate of the fixed-speed methods, `horizon` the time after which to give up, s.
 pub(crate) fn simulate<const N: usize>(
