@@ -3,8 +3,8 @@ use crate::diagnostic::CliError;
 use crate::laws::{self, ModelErrorEntry};
 use crate::loaded::scenario_error;
 use crate::output::{as_json, create, progress, write_summary};
-use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary};
-use crate::verdict::Verdict;
+use crate::summary::{MethodEntry, OptimumEntry, Solved, Summary, Uses};
+use crate::verdict::{Judged, Verdict};
 use crate::windows::{WindowEntry, windows};
 use crate::{report, table};
 use indicatif::ProgressBar;
@@ -35,7 +35,9 @@ pub(crate) fn compare_speed(
     let path = experiment.sample(scenario.grid_points(), BETWEEN).map_err(pointed)?;
     let finer = experiment.sample(2 * scenario.grid_points(), 0).map_err(pointed)?;
     let solved = Solved::new(&path, &finer, options.inter_sample).map_err(|error| no_optimum(error, &path))?;
-    let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer, judged };
+    let uses =
+        traces.iter().map(|trace| Uses::new(&experiment, trace)).collect::<Result<Vec<_>, _>>().map_err(pointed)?;
+    let study = Study { scenario, experiment: &experiment, path: &path, finer: &finer, judged, uses: &uses };
     let mut summary = summarise(&study, &traces, &solved, tolerance)?;
     summary.look_ahead = windows(&experiment, &summary.optimum).map_err(pointed)?;
     let course = laws::optimum_course(&experiment, &solved.optimum).map_err(pointed)?;
@@ -90,6 +92,8 @@ struct Study<'a> {
     path: &'a SampledPath,
     finer: &'a SampledPath,
     judged: Method,
+    /// What each method used of the limits.
+    uses: &'a [Uses],
 }
 
 /// What the figures of the laws are drawn from.
@@ -99,9 +103,9 @@ struct Laws<'a> {
 }
 
 fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f64) -> Result<Summary, CliError> {
-    let Study { scenario, experiment, path, finer, judged } = study;
+    let Study { scenario, experiment, path, finer, judged, uses } = study;
     let closed_form = path.speed_limited_time();
-    let entry = OptimumEntry::new(solved, closed_form);
+    let optimum = OptimumEntry::new(solved, closed_form);
     let limits_more = path.pieces.iter().any(|piece| path.limits_acceleration(piece));
     let speed_only = if limits_more {
         let (path, finer) = (path.under_speed_limits_alone(), finer.under_speed_limits_alone());
@@ -109,16 +113,26 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
     } else {
         None
     };
-    let method =
-        |trace: &Trace| MethodEntry::new(trace, experiment.limit_use(trace), experiment.course(trace).effort(), &entry);
-    let methods: Vec<MethodEntry> = traces.iter().map(method).collect();
+    let method = |(trace, uses): (&Trace, &Uses)| {
+        MethodEntry::new(trace, uses.clone(), experiment.course(trace).effort(), &optimum)
+    };
+    let methods: Vec<MethodEntry> = traces.iter().zip(*uses).map(method).collect();
     let position_excesses = experiment.position_excesses();
-    let verdict = Verdict::new(*judged, &methods, traces, &entry, tolerance).under_position_limits(&position_excesses);
+    let judge = |(entry, trace)| Judged {
+        entry,
+        trace,
+        optimum: &optimum,
+        speed_only: speed_only.as_ref(),
+        disturbances: experiment.disturbances(),
+        tolerance,
+    };
+    let of_judged = methods.iter().zip(traces).find(|(_, trace)| trace.method == *judged).map(judge);
+    let verdict = Verdict::new(*judged, tolerance, of_judged.as_ref()).under_position_limits(&position_excesses);
     Ok(Summary {
         scenario: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
         methods,
-        optimum: entry,
+        optimum,
         optimum_speed_only: speed_only,
         optimum_effort: None,
         scaled_limits: Vec::new(),

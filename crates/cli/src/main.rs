@@ -21,6 +21,7 @@ mod journal_error;
 mod laws;
 mod loaded;
 mod merge;
+mod obstacle;
 mod output;
 mod parallel;
 mod path_report;

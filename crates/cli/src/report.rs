@@ -77,7 +77,7 @@ fn methods(entries: &[MethodEntry]) -> String {
          <th>RMS error [m, rad]</th><th>peak error [mm]</th><th>peak error [mrad]</th><th>largest use of a speed limit</th>\
          <th>chattering</th><th>its bound</th><th>paper's estimate</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
          <p class=\"note\">T runs from the start of motion to the <em>robot's</em> arrival (reference at its end, tool within \
-         0.1 mm and 1 mrad of it). Peak errors and the use of a limit count while the reference moves. Chattering is the \
+         0.1 mm and 1 mrad of it), resolved to one sample. Peak errors and the use of a limit count while the reference moves. Chattering is the \
          largest change of a desired joint speed over one sample, as a share of its limit.</p>\n"
     )
 }

@@ -5,7 +5,9 @@ use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{Disturbances, Effort, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace};
+use slideway_lab::{
+    Disturbances, Effort, Experiment, LabError, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace,
+};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -53,6 +55,8 @@ pub(crate) struct MethodEntry {
     pub(crate) ratio_range: Option<[f64; 2]>,
     /// From the start of motion to the reference's end, over the optimum's duration. Below 1 the robot trails.
     pub(crate) reference_ratio: Option<f64>,
+    /// The largest share of a joint-speed limit that a command used, catching up at the path's end included.
+    pub(crate) command_use: f64,
     /// The largest use of each kind of limit that the scenario gives, besides constant joint-speed limits.
     pub(crate) limit_use: Vec<LimitUse>,
     /// Mean speed over the optimum's, `1 / ratio`.
@@ -61,6 +65,21 @@ pub(crate) struct MethodEntry {
     pub(crate) effort: Option<Effort>,
     /// What the method knows in advance.
     pub(crate) knows: &'static str,
+}
+
+/// What a run used of the limits.
+#[derive(Clone, Debug)]
+pub(crate) struct Uses {
+    /// See [`MethodEntry::command_use`].
+    pub(crate) command_use: f64,
+    /// See [`MethodEntry::limit_use`].
+    pub(crate) limit_use: Vec<LimitUse>,
+}
+
+impl Uses {
+    pub(crate) fn new(experiment: &Experiment, trace: &Trace) -> Result<Self, LabError> {
+        Ok(Self { command_use: experiment.command_use(trace)?, limit_use: experiment.limit_use(trace) })
+    }
 }
 
 /// A certified optimum, without its profile.
@@ -190,7 +209,8 @@ impl Solved {
 }
 
 impl MethodEntry {
-    pub(crate) fn new(trace: &Trace, limit_use: Vec<LimitUse>, effort: Option<Effort>, optimum: &OptimumEntry) -> Self {
+    pub(crate) fn new(trace: &Trace, uses: Uses, effort: Option<Effort>, optimum: &OptimumEntry) -> Self {
+        let Uses { command_use, limit_use } = uses;
         let summary = MethodSummary::new(trace);
         let travel_s = summary.travel_s();
         let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
@@ -199,6 +219,7 @@ impl MethodEntry {
             ratio: travel_s.map(|t| t / optimum.duration_s),
             ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
             reference_ratio: reference.map(|t| t / optimum.duration_s),
+            command_use,
             limit_use,
             relative_speed: travel_s.map(|t| optimum.duration_s / t),
             effort,

@@ -118,7 +118,7 @@ fn optimum(summary: &Summary) -> String {
     if let Some(speed_only) = &summary.optimum_speed_only {
         text += &optimum_line("under speed limits alone", speed_only);
     }
-    text += "T / T* runs from the start of motion to the robot's arrival; errors and ‖F q̇d‖ count while the reference moves.\n";
+    text += "T / T* runs from the start of motion to the robot's arrival; errors and ‖F q̇d‖ count while the reference moves; times are resolved to one sample.\n";
     text
 }
 

@@ -1,6 +1,10 @@
+use crate::obstacle::{LIMIT_SLACK, obstacle, reached_a_limit};
 use crate::summary::{MethodEntry, OptimumEntry, excess_in_words};
+use crate::table::short;
 use serde::Serialize;
-use slideway_lab::{Method, PositionExcess, PositionSource, Trace};
+use slideway_lab::{
+    ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Disturbances, Method, PositionExcess, PositionSource, Trace,
+};
 
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]
@@ -17,31 +21,34 @@ pub(crate) struct Verdict {
     pub(crate) sentence: String,
 }
 
-/// By how much a limit, measured from whole samples, may be exceeded before the times count as not comparable.
-const LIMIT_SLACK: f64 = 0.01;
+/// What a verdict is made from: a method's run beside the optimum.
+#[derive(Clone, Copy)]
+pub(crate) struct Judged<'a> {
+    pub(crate) entry: &'a MethodEntry,
+    pub(crate) trace: &'a Trace,
+    pub(crate) optimum: &'a OptimumEntry,
+    /// The optimum under the speed limits alone, where it is told too.
+    pub(crate) speed_only: Option<&'a OptimumEntry>,
+    /// What disturbed the runs, if anything.
+    pub(crate) disturbances: &'a Disturbances,
+    pub(crate) tolerance: f64,
+}
 
 impl Verdict {
-    pub(crate) fn new(
-        method: Method,
-        methods: &[MethodEntry],
-        traces: &[Trace],
-        optimum: &OptimumEntry,
-        tolerance: f64,
-    ) -> Self {
-        let entry = methods.iter().find(|m| m.summary.method == method);
-        let trace = traces.iter().find(|t| t.method == method);
-        let ratio = entry.and_then(|e| e.ratio);
-        let reason =
-            entry.map_or(Some("the sliding mode was not run".to_owned()), |entry| obstacle(entry, trace, optimum));
+    /// The verdict about a method, from its run if there is one.
+    pub(crate) fn new(method: Method, tolerance: f64, judged: Option<&Judged<'_>>) -> Self {
+        let Some(judged) = judged else {
+            let sentence = format!("No: the {} was not run.", subject(method));
+            return Self { method, ratio: None, tolerance, holds: false, sentence };
+        };
+        let ratio = judged.entry.ratio;
         let near = ratio.is_some_and(|r| (r - 1.0).abs() <= tolerance);
+        let reason = obstacle(judged);
         let holds = reason.is_none() && near;
-        let sentence = match (reason, entry, ratio) {
-            (Some(reason), ..) => format!("No: {reason}."),
-            (None, Some(entry), Some(ratio)) => {
-                let state = Comparison { entry, trace, ratio, optimum, tolerance, holds };
-                state.sentence()
-            }
-            _ => "No: there is nothing to compare.".into(),
+        let sentence = match (reason, ratio) {
+            (Some(reason), _) => format!("No: {reason}."),
+            (None, Some(ratio)) => Comparison { judged: *judged, ratio, holds }.sentence(),
+            (None, None) => "No: there is nothing to compare.".into(),
         };
         Self { method, ratio, tolerance, holds, sentence }
     }
@@ -55,35 +62,8 @@ impl Verdict {
     }
 }
 
-/// What keeps the two times from being compared at all.
-fn obstacle(entry: &MethodEntry, trace: Option<&Trace>, optimum: &OptimumEntry) -> Option<String> {
-    if !optimum.certified {
-        return Some(format!("the optimum is not certified, its bounds are {:.1e} apart", optimum.gap));
-    }
-    if entry.summary.motion_start_s.is_none() {
-        return Some("the reference never moved: the position error alone used up the speed limits".into());
-    }
-    if !entry.summary.completed {
-        let reached = trace.and_then(|t| t.samples.last()).map_or(0.0, |s| s.lambda);
-        return Some(format!("the reference did not reach the path's end, it stopped at path parameter {reached:.4}"));
-    }
-    if entry.travel_s.is_none() {
-        return Some("the robot never came within 0.1 mm and 1 mrad of the path's end".into());
-    }
-    let worst = entry.limit_use.iter().max_by(|a, b| a.share.total_cmp(&b.share))?;
-    (!(worst.share <= 1.0 + LIMIT_SLACK)).then(|| {
-        format!(
-            "the optimum keeps the limits on {kind} and the {name}, which does not know them, exceeds them \
-             {:.1} times; its time is not comparable (see the optimum under speed limits alone)",
-            worst.share,
-            kind = worst.kind,
-            name = subject(entry.summary.method)
-        )
-    })
-}
-
 /// The judged method in words.
-fn subject(method: Method) -> String {
+pub(crate) fn subject(method: Method) -> String {
     match method {
         Method::AccelerationLookAhead => "look-ahead".into(),
         Method::SlidingMode => "sliding mode".into(),
@@ -93,63 +73,106 @@ fn subject(method: Method) -> String {
     }
 }
 
+/// What the method goes by, in words.
+fn knowing(entry: &MethodEntry) -> String {
+    match entry.summary.method {
+        Method::Ideal | Method::Saturated | Method::DirectionPreserving => "run at a speed fixed beforehand".into(),
+        method if method.surveys_the_path() || method.limits_acceleration() => {
+            format!("knowing {} in advance", entry.knows)
+        }
+        _ => "knowing nothing in advance".into(),
+    }
+}
+
 /// Two comparable times.
 struct Comparison<'a> {
-    entry: &'a MethodEntry,
-    trace: Option<&'a Trace>,
+    judged: Judged<'a>,
     ratio: f64,
-    optimum: &'a OptimumEntry,
-    tolerance: f64,
     holds: bool,
 }
 
 impl Comparison<'_> {
     fn sentence(&self) -> String {
-        let Self { entry, ratio, optimum, .. } = self;
+        let Judged { entry, optimum, tolerance, .. } = self.judged;
         let travel = entry.travel_s.unwrap_or(f64::NAN);
-        let difference = 100.0 * (ratio - 1.0);
         let name = subject(entry.summary.method);
-        let knows = if entry.summary.samples_off_path.is_some() { entry.knows } else { "nothing" };
-        let mut text = if self.holds {
-            format!("Yes: the {name}, knowing {knows} in advance, needs {travel:.4} s")
+        let head = if self.holds {
+            format!("Yes: the {name}, {}, needs {travel:.4} s", knowing(entry))
         } else {
             format!("No: the {name} needs {travel:.4} s")
         };
-        let apart = match difference {
-            d if d >= 100.0 => format!("{ratio:.1} times as long"),
+        format!(
+            "{head} where the certified optimum, knowing the whole path, is {:.4} s: {} (tolerance {} %).{}{}{}",
+            optimum.duration_s,
+            self.apart(),
+            100.0 * tolerance,
+            self.less(),
+            self.trailing(),
+            self.idle()
+        )
+    }
+
+    /// Whether the method's time is less than the optimum's by no more than a sample. The reference's end is extrapolated within its
+    /// last sample with the path rate before that was cut to what was left, so less than a sample says nothing.
+    fn unresolved(&self) -> bool {
+        let missing = self.judged.optimum.duration_s - self.judged.entry.travel_s.unwrap_or(f64::NAN);
+        self.ratio < 1.0 && missing < self.judged.trace.sampling_period
+    }
+
+    fn apart(&self) -> String {
+        match 100.0 * (self.ratio - 1.0) {
+            _ if self.unresolved() => format!(
+                "within a sample of the optimum ({} s), and times are resolved no finer",
+                self.judged.trace.sampling_period
+            ),
+            d if d >= 100.0 => format!("{:.1} times as long", self.ratio),
             d if d >= 0.0 => format!("{d:.2} % slower"),
             d => format!("{:.2} % less", -d),
-        };
-        text += &format!(
-            " where the certified optimum, knowing the whole path, is {:.4} s: {apart} (tolerance {} %).",
-            optimum.duration_s,
-            100.0 * self.tolerance
-        );
-        if *ratio < 1.0 {
-            text += &format!(
-                " It did not beat the optimum: it left the path by up to {:.3} mm, which the optimum may not.",
-                1e3 * entry.summary.peak_path_error_m
-            );
         }
-        text + &self.trailing() + &self.idle()
+    }
+
+    /// Why a time below the optimum's is none that the optimum could have.
+    fn less(&self) -> String {
+        let Judged { entry, optimum, disturbances, .. } = self.judged;
+        if !(self.ratio < 1.0) || self.unresolved() {
+            return String::new();
+        }
+        let (distance, turn) = (entry.summary.peak_path_error_m, entry.summary.peak_path_error_rad);
+        // The methods that survey the path run undisturbed.
+        let disturbed = !disturbances.are_none() && !entry.summary.method.surveys_the_path();
+        let cause = if disturbed {
+            format!("the run is disturbed ({disturbances}), the optimum is not")
+        } else if distance > ARRIVAL_POSITION || turn > ARRIVAL_ORIENTATION {
+            format!(
+                "its tool was up to {} mm and {} mrad from its reference, lag included, where the optimum's is on the path",
+                short(1e3 * distance),
+                short(1e3 * turn)
+            )
+        } else {
+            format!(
+                "a method's use of a limit counts to {} %, and the optimum is as exact as its grid of {} points",
+                100.0 * LIMIT_SLACK,
+                optimum.grid_points
+            )
+        };
+        format!(" It did not beat the optimum: {cause}.")
     }
 
     /// The reference's end and the robot's arrival, where they differ by more than a sample.
     fn trailing(&self) -> String {
-        let summary = &self.entry.summary;
-        let period = self.trace.map_or(0.0, |t| t.sampling_period);
+        let summary = &self.judged.entry.summary;
         match (summary.duration_s, summary.robot_arrival_s) {
-            (Some(end), Some(arrival)) if arrival - end > period => format!(
+            (Some(end), Some(arrival)) if arrival - end > self.judged.trace.sampling_period => format!(
                 " The reference finished at {end:.4} s while the robot still trailed; the robot arrived at {arrival:.4} s."
             ),
             _ => String::new(),
         }
     }
 
-    /// A target rate that never reaches the limits leaves nothing to regulate.
+    /// A target rate that never reaches the limits leaves a regulated method nothing to regulate.
     fn idle(&self) -> String {
-        let acted = self.trace.is_some_and(|t| t.following().iter().any(|s| s.switch < 1.0));
-        if acted || self.holds {
+        let Judged { entry, trace, .. } = self.judged;
+        if self.holds || !entry.summary.method.is_regulated() || reached_a_limit(entry, trace) {
             String::new()
         } else {
             " The limits were never reached: raise `control.target_rate`.".into()

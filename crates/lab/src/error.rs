@@ -100,6 +100,14 @@ pub enum Fault {
     /// Keys that exclude each other.
     #[error("{0}")]
     Conflict(&'static str),
+    /// A choice that the rest of the scenario does not allow, with what would.
+    #[error("{need}")]
+    Unmet {
+        /// What it needs.
+        need: &'static str,
+        /// How to give it.
+        remedy: &'static str,
+    },
     /// A number of joints outside the supported range.
     #[error("{0} joints; between 1 and 7 are supported")]
     JointCount(usize),
@@ -199,6 +207,7 @@ impl Fault {
             Self::NotIncreasing { .. } => "order the numbers from small to large, each at most once".into(),
             Self::Missing(_) => "add the key; `slideway init FILE` writes a template with every key explained".into(),
             Self::Conflict(_) => "keep one of the keys".into(),
+            Self::Unmet { remedy, .. } => (*remedy).into(),
             Self::JointCount(_) => {
                 "use an arm with 1 to 7 joints; of a URDF, choose a part with `base` and `tip`".into()
             }

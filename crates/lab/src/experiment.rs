@@ -166,10 +166,7 @@ impl Experiment {
         if self.methods().contains(&method) {
             return Ok(method);
         }
-        let fault = Fault::Conflict(
-            "this method needs acceleration limits, the same along the whole path, and rest at both ends",
-        );
-        Err(LabError::value("compare.method", fault))
+        Err(LabError::value("compare.method", cannot_run(method)))
     }
 
     /// Runs one method.
@@ -250,5 +247,21 @@ impl Experiment {
     #[must_use]
     pub fn position_excesses(&self) -> Vec<PositionExcess> {
         self.any().position_excesses()
+    }
+}
+
+/// Why a method cannot be run in an experiment that does not list it.
+fn cannot_run(method: Method) -> Fault {
+    if method.surveys_the_path() {
+        Fault::Unmet {
+            need: "this method needs a `[natural]` table",
+            remedy: "add a table `[natural]`, which may be empty, or judge another method",
+        }
+    } else {
+        Fault::Unmet {
+            need: "this method needs joint-acceleration limits, the same along the whole path as the speed limits are, and rest at both ends",
+            remedy: "give `limits.acceleration` in numbers without formulas and leave out `limits.start_rate` and `limits.end_rate`, or \
+                     judge another method",
+        }
     }
 }

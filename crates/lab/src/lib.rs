@@ -52,6 +52,7 @@ pub use run::course::{Course, CourseSample, Effort, ProfilePoint};
 pub use run::disturbances::Disturbances;
 pub use run::law::Method;
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
+pub use run::simulate::MAX_SAMPLES;
 pub use run::trace::{Chatter, Sample, Trace};
 pub use scenario::verify_options::VerifyOptions;
 pub use scenario::{

@@ -93,6 +93,7 @@ impl<const N: usize> AccelerationLaw<N> {
                 limit_ratio: problem.speed_limits.ratio(&command.desired),
             },
             desired: command.desired,
+            demand_factor: command.factor,
             advance_rate: command.path_rate.min(most),
         }
     }

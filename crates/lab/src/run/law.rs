@@ -152,6 +152,8 @@ pub(crate) struct Decision<const N: usize> {
     pub(crate) command: SpeedCommand<N>,
     /// Desired joint speed `q̇d`.
     pub(crate) desired: [f64; N],
+    /// The factor `g` with `q̇d = A + g B`, of a law that bounds chattering: `f`, less where something but the law cut the path rate.
+    pub(crate) demand_factor: f64,
     /// Path rate with which `λ` is advanced: the command's, less where the path's end is nearer than a whole sample.
     pub(crate) advance_rate: f64,
 }
@@ -223,12 +225,14 @@ fn explicit<const N: usize>(
 ) -> Decision<N> {
     let requested = regulator.requested_rate(state);
     let capped = requested.min(here.tool_rate);
-    let desired = demand.at(capped.min(here.to_end)).into();
+    let cut = capped.min(here.to_end);
+    let desired = demand.at(cut).into();
     let mut command = regulator.step(state, &desired);
     // A shortened step is scaled as the whole one would be: by 1 or, in the synchronised form, by fdir.
     let share = if requested > 0.0 { command.path_rate / requested } else { 0.0 };
     command.path_rate = share * capped;
-    Decision { command, desired, advance_rate: share * capped.min(here.to_end) }
+    let demand_factor = if cut < requested { command.factor * (cut / requested) } else { command.factor };
+    Decision { command, desired, demand_factor, advance_rate: share * cut }
 }
 
 fn implicit<const N: usize>(
@@ -244,14 +248,15 @@ fn implicit<const N: usize>(
     let mut command = regulator.step(state, &split);
     let capped = command.path_rate.min(here.tool_rate);
     let advance_rate = capped.min(here.to_end);
-    let mut desired = split.at(command.factor);
+    let (mut desired, mut demand_factor) = (split.at(command.factor), command.factor);
     if advance_rate < command.path_rate {
+        demand_factor *= advance_rate / command.path_rate;
         // A shorter step along the same line: the limits are convex, so it keeps them too.
         desired = demand.at(advance_rate).into();
         command.joint_speed = here.limits.saturate(&desired, Saturation::DirectionPreserving).joint_speed;
     }
     command.path_rate = capped;
-    Decision { command, desired, advance_rate }
+    Decision { command, desired, demand_factor, advance_rate }
 }
 
 /// Fixed speed: nothing is regulated, the joints take what saturation leaves.
@@ -271,5 +276,5 @@ fn fixed<const N: usize>(
         direction_factor: if saturation.is_some() { saturated.direction_factor } else { 1.0 },
         limit_ratio: here.limits.ratio(&desired),
     };
-    Decision { command, desired, advance_rate: rate.min(here.to_end) }
+    Decision { command, desired, demand_factor: command.factor, advance_rate: rate.min(here.to_end) }
 }

@@ -13,7 +13,8 @@ pub struct Trace {
     pub joints: usize,
     /// Sampling period that the controller counts on, s.
     pub sampling_period: f64,
-    /// When the reference reached the path's end, interpolated with the last path rate, s.
+    /// When the reference reached the path's end, interpolated with the last path rate, s. Exact to one sample: what is left of the path
+    /// takes the share of the last period that the whole rate needs, though the joints take the whole period.
     pub finish_s: Option<f64>,
     /// When the tool was within tolerance of the path's end, the reference being there, s.
     pub arrival_s: Option<f64>,
@@ -59,7 +60,8 @@ pub struct Sample {
 pub struct Chatter {
     /// What it was.
     pub measured: f64,
-    /// What it can be at most: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`).
+    /// What it can be at most, to rounding: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`), with the capped factor in place
+    /// of `f` where the tool's speed limit caps the path rate.
     pub bound: f64,
     /// The paper's estimate `|v_i| a λ̇d`, `[G11] eq 23`.
     pub estimate: f64,

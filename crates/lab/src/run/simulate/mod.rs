@@ -11,7 +11,7 @@ use crate::run::trace::Trace;
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.
-pub(crate) const MAX_SAMPLES: usize = 5_000_000;
+pub const MAX_SAMPLES: usize = 5_000_000;
 
 /// Runs one method. `fixed_rate` is the rate of the fixed-speed methods, `horizon` the time after which to give up, s.
 pub(crate) fn simulate<const N: usize>(
@@ -59,7 +59,7 @@ struct Run<'a, const N: usize> {
     /// Euler triple of the tool as the controller saw it one sample earlier.
     seen_euler: EulerAngles,
     world: World<N>,
-    /// The sample before: demand and factor, for the change of the desired speed.
+    /// The sample before: demand, its factor `g` and desired speed, for the change of the latter.
     before: Option<(Demand<N>, f64, [f64; N])>,
     /// Distance from the path's end at the sample before, while the robot settles there.
     settling: Option<f64>,

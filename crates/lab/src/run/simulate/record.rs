@@ -18,7 +18,7 @@ impl<const N: usize> Run<'_, N> {
         let (command, demand) = (&decision.command, &observed.demand);
         let shortened = decision.advance_rate < command.path_rate;
         let chatter = match (&self.before, self.trace.method.bounds_chattering() && !shortened) {
-            (Some(before), true) => Some(self.chatter(before, demand, command.factor, &decision.desired)),
+            (Some(before), true) => Some(self.chatter(before, demand, decision.demand_factor, &decision.desired)),
             _ => None,
         };
         self.trace.samples.push(Sample {
@@ -37,10 +37,14 @@ impl<const N: usize> Run<'_, N> {
             commanded: pad(&command.joint_speed.into()),
             chatter,
         });
-        self.before = Some((*demand, command.factor, decision.desired));
+        self.before = Some((*demand, decision.demand_factor, decision.desired));
     }
 
-    /// The change of `q̇d = A + f B` since the sample before, its bound and the paper's estimate.
+    /// The change of `q̇d = A + g B` since the sample before, its bound and the paper's estimate.
+    ///
+    /// `g` is `f` unless the tool's speed limit caps the path rate. The bound needs nothing of where `g` comes from:
+    /// `Δ(A + g B) = ΔA + g ΔB + B' Δg` with the newer `B'`, whatever the sequence of `g`, so `|B'_i| |Δg| + g |ΔB_i| + |ΔA_i|` holds, a
+    /// change of the cap included. The estimate is the law's own part.
     fn chatter(
         &self,
         before: &(Demand<N>, f64, [f64; N]),
