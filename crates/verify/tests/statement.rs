@@ -201,6 +201,21 @@ fn joint_scenario(points: &[[f64; 2]; 3], limits: [f64; 2], step: f64, gain_step
     )
 }
 
+/// Five samples from end to end at a rate that the limits do not allow: the last, cut short, is scaled by none of them.
+#[test]
+fn a_synchronised_reference_of_a_few_samples_ends_inside_its_bounds() -> Outcome {
+    let text = "[robot]\ndh = [{ a = 0.6, alpha = 0, d = 0 }, { a = 0.5, alpha = 0, d = 0 }]\n\
+                [path]\njoints.line = { from = [0.489384, -0.940052], to = [0.443617, -0.903177] }\n\
+                [limits]\nspeed = [1.70189, 0.352911]\n\
+                [control]\ngain = 10\nsampling_period = 0.0204267\nbandwidth = 14.6867\ntarget_rate = 510.689\n";
+    let statement = Statement::for_speed(&Scenario::parse("short", text)?, Some(Method::SlidingModeSynchronised))?;
+    let time = guarantee(&statement, "reference-time")?;
+    // It does end before what a whole sample would take.
+    assert!(time.measured.is_some_and(|t| time.contains(t) && t < time.lower.unwrap_or(0.0) + 0.0204267), "{time:?}");
+    contains_what_it_measured("short", &statement);
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -85,6 +85,10 @@ impl SpeedCase {
     pub(crate) fn times(&self) -> Vec<Guarantee> {
         let (declared, measured) = (&self.declared, &self.measures);
         let Some([lower, upper]) = self.bracket() else { return Vec::new() };
+        // The end of the path lies within the last sample, where the synchronised form's rate is that of a step cut short, which the limits
+        // may not hold back: the time is known to a sample.
+        let synchronised = self.looked.method == Method::SlidingModeSynchronised;
+        let lower = if synchronised { lower - self.looked.control.sampling_period } else { lower };
         let mut rests = vec!["target-rate", "pace"];
         let published = self.published();
         rests.extend(TIMES.iter().map(|(name, _)| *name).filter(|name| published || *name != "overrun-time"));
