@@ -180,10 +180,35 @@ fn every_shape_is_zero_on_its_surface_and_measures_distance_where_it_is_one() {
         close(value(&smooth, [7.0, -1.0, 2.0]), sign * 6.0);
         close(value(&smooth, [2.0, 1.0, 2.0]), sign * 3.0 * (0.5 * 2.0_f64.powf(0.25) - 1.0));
     }
-    let plane = HalfSpace::new(&[0.0, 3.0, 4.0], 2.0).expect("valid");
+    // (3 * 5 + 4 * 5 - 10) / 5, and (2 * 1.25 - 0.5) / 2.
+    let plane = HalfSpace::new(&[0.0, 3.0, 4.0], 10.0).expect("valid");
     close(value(&plane, [9.0, 5.0, 5.0]), 5.0);
     let one = Polytope::new(&[[0.0, 2.0, 0.0]], [0.5], 10.0, Side::Inside).expect("valid");
-    close(value(&one, [9.0, 1.25, 0.0]), 0.75);
+    close(value(&one, [9.0, 1.25, 0.0]), 1.0);
+}
+
+#[test]
+fn a_plane_stays_where_its_equation_says_whatever_the_length_of_its_normal() {
+    let at = |position| Motion { time: 0.0, position, velocity: [0.0; 3] };
+    for length in [1e-3, 0.5, 1.0, 2.0, 1e3] {
+        // 3 x + 4 z = 10 times a length: 2 m from the origin, with the unit normal (0.6, 0, 0.8).
+        let (normal, offset) = ([3.0 * length, 0.0, 4.0 * length], 10.0 * length);
+        let plane = HalfSpace::new(&normal, offset).expect("valid");
+        let far = ([-1.0, 0.0, 0.0], 1e3);
+        let faces = Polytope::new(&[normal, far.0], [offset, far.1], 50.0, Side::Inside).expect("valid");
+        for (position, distance) in [([1.2, 7.0, 1.6], 0.0), ([0.0; 3], -2.0), ([1.8, -1.0, 2.4], 1.0)] {
+            for found in [plane.sample(&at(position)), faces.sample(&at(position))] {
+                // A few roundings of numbers below 10.
+                assert!((found.value - distance).abs() < 1e-14, "σ = {} for length {length}", found.value);
+                let slope = found.gradient.iter().map(|g| g * g).sum::<f64>();
+                assert!((slope - 1.0).abs() < 1e-14, "σ is not a distance: slope {slope} for length {length}");
+            }
+        }
+    }
+    // Too short for its distance to be a number.
+    let offset = |error: Option<ParameterError>| matches!(error, Some(ParameterError::Shape { parameter, .. }) if parameter == ShapeParameter::Offset);
+    assert!(offset(HalfSpace::new(&[0.0, 1e-150, 0.0], 1e200).err()));
+    assert!(offset(Polytope::new(&[[1e-150, 0.0, 0.0]], [1e200], 1.0, Side::Inside).err()));
 }
 
 #[test]

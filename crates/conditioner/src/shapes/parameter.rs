@@ -12,7 +12,7 @@ pub enum ShapeParameter {
     Direction(usize),
     /// The length of a normal or an axis.
     DirectionLength,
-    /// The distance of a plane from the origin.
+    /// The offset `d` of a plane `nᵀ p = d`, or its distance from the origin `d / ‖n‖`.
     Offset,
     /// A radius.
     Radius,
@@ -62,6 +62,14 @@ pub(crate) fn each<const N: usize>(
         accept(parameter(i), value, inside(value))?;
     }
     Ok(())
+}
+
+/// Unit normal and distance from the origin of the plane `nᵀ p = d`: both divided by `‖n‖`.
+pub(crate) fn plane<const N: usize>(normal: &[f64; N], offset: f64) -> Result<([f64; N], f64), ParameterError> {
+    accept(ShapeParameter::Offset, offset, true)?;
+    let unit = unit(normal)?;
+    let distance = accept(ShapeParameter::Offset, offset / crate::path::vector::norm(normal), true)?;
+    Ok((unit, distance))
 }
 
 /// The unit vector along a direction that is finite and not zero.

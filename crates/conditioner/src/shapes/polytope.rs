@@ -1,6 +1,6 @@
 use libm::{exp, log};
 
-use super::parameter::{ShapeParameter, above_zero, each, unit};
+use super::parameter::{ShapeParameter, above_zero, plane};
 use super::{Local, Shape, Side};
 use crate::error::ParameterError;
 use crate::path::vector::{add_scaled, dot};
@@ -8,7 +8,7 @@ use crate::path::vector::{add_scaled, dot};
 /// A convex polytope of `F` faces as one smooth constraint: the maximum of the faces' distances, rounded off.
 ///
 /// ```text
-/// m(p) = (1/s) ln Σ exp(s (n_iᵀ p - d_i)),   max <= m <= max + ln F / s
+/// m(p) = (1/s) ln Σ exp(s (n_iᵀ p - d_i) / ‖n_i‖),   max <= m <= max + ln F / s
 /// σ    = m to stay inside,  ln F / s - m to stay outside
 /// ```
 ///
@@ -23,19 +23,19 @@ pub struct Polytope<const N: usize, const F: usize> {
 }
 
 impl<const N: usize, const F: usize> Polytope<N, F> {
-    /// From outward normals, distances from the origin along them, sharpness `s` (1 / length) and allowed side.
+    /// From the faces `n_iᵀ p = d_i` with outward normals of any length, sharpness `s` (1 / length) and allowed side.
     ///
     /// # Errors
     ///
-    /// A component that is not finite, a normal of length zero, a sharpness that is not positive.
+    /// A component that is not finite, a normal of length zero, or one so short that the face's distance from the origin is
+    /// not finite; a sharpness that is not positive.
     pub fn new(normals: &[[f64; N]; F], offsets: [f64; F], sharpness: f64, side: Side) -> Result<Self, ParameterError> {
-        each(&offsets, |_| ShapeParameter::Offset, f64::is_finite)?;
         let sharpness = above_zero(ShapeParameter::Sharpness, sharpness)?;
-        let mut units = *normals;
-        for normal in &mut units {
-            *normal = unit(normal)?;
+        let (mut units, mut distances) = (*normals, offsets);
+        for (normal, offset) in units.iter_mut().zip(&mut distances) {
+            (*normal, *offset) = plane(normal, *offset)?;
         }
-        Ok(Self { normals: units, offsets, sharpness, side })
+        Ok(Self { normals: units, offsets: distances, sharpness, side })
     }
 }
 

@@ -24,7 +24,7 @@ pub struct NamedConstraint {
 /// The shapes a scenario can name.
 #[derive(Clone, Debug)]
 pub enum Shape3 {
-    /// One side of a plane: unit normal and offset.
+    /// One side of a plane: unit normal and distance, which are those of the file divided by the normal's length.
     HalfSpace {
         /// Outward unit normal.
         normal: [f64; 3],
@@ -164,10 +164,8 @@ impl Shape3 {
         let refused = |error| LabError::value(key, Fault::Conditioner(error));
         Ok(match table {
             ShapeTable::HalfSpace { normal, offset } => {
-                let raw = vector(normal);
-                let shape = HalfSpace::new(&raw, offset.0).map_err(refused)?;
-                let length = raw.iter().map(|n| n * n).sum::<f64>().sqrt();
-                Self::HalfSpace { normal: raw.map(|n| n / length), offset: offset.0, shape }
+                let shape = HalfSpace::new(&vector(normal), offset.0).map_err(refused)?;
+                Self::HalfSpace { normal: shape.normal(), offset: shape.offset(), shape }
             }
             ShapeTable::Polytope { normals, offsets, sharpness, side: s } => {
                 Self::Polytope(Box::new(polytope(normals, offsets, sharpness.0, side(*s), key)?))
