@@ -48,3 +48,23 @@ fn what_baselines_read_of_a_half_space_is_the_plane_itself() {
     let Shape3::HalfSpace { normal, offset, .. } = &problem.constraints[0].shape else { panic!("a half-space") };
     assert_eq!((*normal, *offset), ([0.0, 0.6, 0.8], 2.0));
 }
+
+#[test]
+fn a_polytope_is_made_of_the_faces_given_and_does_not_ask_for_their_order() {
+    let faces = |normals: &str, offsets: &str, side: &str| {
+        format!(r#"polytope = {{ normals = [{normals}], offsets = [{offsets}], sharpness = 50, side = "{side}" }}"#)
+    };
+    let (place, near) = ([0.0, 0.2, 0.0], |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} instead of {b}"));
+    // The second face is 5 m away: its share, exp(-250), is below rounding.
+    for inside in [faces("[0, 1, 0], [1, 0, 0]", "0.2, 5", "inside"), faces("[1, 0, 0], [0, 1, 0]", "5, 0.2", "inside")]
+    {
+        near(sigma(&inside, place), 0.0);
+    }
+    for outside in
+        [faces("[0, 1, 0], [1, 0, 0]", "0.2, 5", "outside"), faces("[1, 0, 0], [0, 1, 0]", "5, 0.2", "outside")]
+    {
+        near(sigma(&outside, place), 2.0_f64.ln() / 50.0);
+    }
+    // On an edge both count alike.
+    near(sigma(&faces("[0, 1, 0], [1, 0, 0]", "0.2, 0.3", "inside"), [0.3, 0.2, 9.0]), 2.0_f64.ln() / 50.0);
+}

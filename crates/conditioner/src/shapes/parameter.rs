@@ -24,6 +24,8 @@ pub enum ShapeParameter {
     Exponent,
     /// The sharpness of a smoothed maximum.
     Sharpness,
+    /// The number of faces of a polytope, of their normals or of their offsets.
+    FaceCount,
     /// A weight of the oval.
     Weight(usize),
 }
@@ -40,6 +42,7 @@ impl fmt::Display for ShapeParameter {
             Self::Scale => write!(f, "scale"),
             Self::Exponent => write!(f, "exponent"),
             Self::Sharpness => write!(f, "sharpness"),
+            Self::FaceCount => write!(f, "number of faces"),
             Self::Weight(i) => write!(f, "weight {}", i + 1),
         }
     }

@@ -67,7 +67,7 @@ pub enum Shape3 {
     Formula(Box<ExpressionConstraint>),
 }
 
-/// Faces of a polytope at the most; fewer are padded with copies of the first.
+/// Faces of a polytope at the most.
 pub(crate) const POLYTOPE_FACES: usize = 12;
 
 /// How a constraint is carried along.
@@ -213,9 +213,8 @@ fn polytope(
         let fault = Fault::OutOfRange { value: normals.len() as f64, least: 1.0, most: POLYTOPE_FACES as f64 };
         return Err(LabError::value(format!("{key}.polytope.normals"), fault));
     }
-    let face = |i: usize| if i < normals.len() { i } else { 0 };
-    let units: [[f64; 3]; POLYTOPE_FACES] = std::array::from_fn(|i| vector(&normals[face(i)]));
-    let distances: [f64; POLYTOPE_FACES] = std::array::from_fn(|i| offsets[face(i)].0);
-    Polytope::new(&units, distances, sharpness, side)
+    let normals: Vec<[f64; 3]> = normals.iter().map(vector).collect();
+    let offsets: Vec<f64> = offsets.iter().map(|offset| offset.0).collect();
+    Polytope::with_faces(&normals, &offsets, sharpness, side)
         .map_err(|error| LabError::value(format!("{key}.polytope"), Fault::Conditioner(error)))
 }
