@@ -10,15 +10,16 @@ pub use projected::{ProjectedTrace, ProjectionKind, projection_trace};
 
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 use slideway_lab::conditioning::{
-    ConditionedSample, ConditionedTrace, ConditioningProblem, MAX_CONSTRAINTS, PathMethod, Phase,
+    CLOCK_ROUNDING, ConditionedSample, ConditionedTrace, ConditioningProblem, MAX_CONSTRAINTS, PathMethod, Phase,
 };
 
-/// The instants of a reference that nothing stops, with the reference there.
+/// The instants of a reference that nothing stops, with the reference there: whole sampling periods, the last one at its end
+/// or less than one before it, as in [`slideway_lab::conditioning::run_conditioner`].
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn instants(problem: &ConditioningProblem) -> impl Iterator<Item = Motion<3>> + '_ {
     let duration = problem.reference.duration();
     // The rounding of the quotient must not lose the last sample.
-    let count = (duration / problem.sampling_period - 1e-6).ceil() as usize;
+    let count = ((duration + CLOCK_ROUNDING) / problem.sampling_period).floor() as usize;
     (0..=count).map(move |k| {
         let t = k as f64 * problem.sampling_period;
         problem.reference.at(t, t.min(duration), 1.0)

@@ -35,8 +35,7 @@ impl<'a> Trap<'a> {
         let reference = &self.checked.study.problem.reference;
         let rate = reference.lambda(1.0) - reference.lambda(0.0);
         let pace = |w: &[ConditionedSample]| (w[0].t, (w[1].lambda - w[0].lambda) / (rate * (w[1].t - w[0].t)));
-        // The last step is cut short at the reference's end.
-        run.samples[..run.samples.len() - 1].windows(2).map(pace).collect()
+        run.samples.windows(2).map(pace).collect()
     }
 
     fn layers(&self, run: &PathRun) -> [Layer; 2] {

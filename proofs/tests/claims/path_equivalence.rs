@@ -22,8 +22,7 @@ fn pulling_is_not_smallest(cosine: f64, pushing: f64, pulling: f64) -> Outcome {
     let unit = per_push();
     let mut walls = [HalfSpace::new(&[1.0, 0.0], 0.0)?; 2];
     for (wall, row) in walls.iter_mut().zip(&rows) {
-        let length = norm(row);
-        *wall = HalfSpace::new(row, unit * dot(row, &control) / length)?;
+        *wall = HalfSpace::new(row, unit * dot(row, &control))?;
     }
     let mut state = conditioner.at_rest(&[0.0; 2])?;
     let reference = Motion { time: 0.0, position: [0.0; 2], velocity: [0.0; 2] };

@@ -18,7 +18,7 @@ pub(crate) enum NoCorrection {
     Cycling,
 }
 
-/// Worst-case number of active-set steps of the smallest correction into `m` half-spaces, per linearisation (at most 8).
+/// Worst-case number of active-set steps of the smallest correction into `m` half-spaces, per linearisation (at most 13).
 ///
 /// The dual objective grows strictly from one complete step to the next, so no active set comes back: there are at most
 /// `2^m` of them, and each complete step drops at most `m` members on its way. In practice it takes one step for every

@@ -12,6 +12,10 @@ use super::vector::{add_scaled, difference, dot, norm, scaled};
 /// correction, each further one multiplies it by as much again: two or three suffice at any useful sampling period.
 const ROUNDS: usize = 8;
 
+/// Steps straight back inside from a push that has settled just outside of a limit, where the boundary is sharp against the
+/// sampling period and the linearisations converge slowly. Newton's method: a violation of `1e-8` is gone after one or two.
+const RESTORATIONS: usize = 5;
+
 /// A last change of a `φ_i`, relative to the size of the numbers it is made of, at which the push has converged: what is
 /// left of the path is a share `T / 2 K` of it.
 const CONVERGED: f64 = 1e-8;
@@ -85,22 +89,66 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
             for (((b, left), e), row) in bounds.iter_mut().zip(&limits.left).zip(&now.excess).zip(&rows) {
                 *b += left + dot(row, &push) - e;
             }
-            let found = smallest_correction(&rows, &bounds).map_err(|reason| match reason {
-                NoCorrection::Contradiction(i) => HoldReason::Contradiction(i),
-                NoCorrection::Cycling => HoldReason::CorrectionNotFound,
-            })?;
+            let found = smallest_correction(&rows, &bounds).map_err(not_found)?;
             let sizes = self.sizes(now);
             let change = difference(&found.vector, &push);
             let settled = rows.iter().zip(&sizes).all(|(row, size)| libm::fabs(dot(row, &change)) <= CONVERGED * size);
             push = found.vector;
             *now = self.evaluate(self.pushed(&free, &push), constraints);
             self.check(now)?;
-            let beyond = self.beyond(limits, now);
-            let kept = beyond.iter().zip(&limits.left).zip(&sizes).all(|((b, left), size)| b - left <= KEPT * size);
-            // Where the rows are worse conditioned than that, the last round's answer is the best there is.
+            let kept = self.violations(limits, now, &sizes) == [0.0; M];
             if settled && (kept || round == ROUNDS) {
-                return Ok(Push { vector: push, share: shares(&rows, &found.multipliers) });
+                let share = shares(&rows, &found.multipliers);
+                let vector = if kept { push } else { self.restored(&free, push, now, constraints, limits)? };
+                return Ok(Push { vector, share });
             }
+        }
+        Err(HoldReason::CorrectionNotFound)
+    }
+
+    /// By how much each limit is violated; zero where it is kept to [`KEPT`].
+    #[inline(always)]
+    fn violations(&self, limits: &Limits<M>, now: &Evaluated<N, M>, sizes: &[f64; M]) -> [f64; M] {
+        let mut violations = difference(&self.beyond(limits, now), &limits.left);
+        for (violation, size) in violations.iter_mut().zip(sizes) {
+            // Written so that a NaN is a violation.
+            if *violation <= KEPT * size {
+                *violation = 0.0;
+            }
+        }
+        violations
+    }
+
+    /// The smallest changes of a push until it keeps every limit. Each aims as far inside as it starts outside, and farther
+    /// the oftener that was not enough: what curves the boundary, or narrows the band, may take most of it away.
+    #[cold]
+    fn restored<E>(
+        &self,
+        free: &Motion<N>,
+        mut push: [f64; N],
+        now: &mut Evaluated<N, M>,
+        constraints: &E,
+        limits: &Limits<M>,
+    ) -> Result<[f64; N], HoldReason>
+    where
+        E: Fn(&Motion<N>) -> [ConstraintSample<N>; M],
+    {
+        let mut aim = 1.0;
+        for _ in 0..RESTORATIONS {
+            let sizes = self.sizes(now);
+            let violations = self.violations(limits, now, &sizes);
+            let mut bounds = difference(&limits.left, &self.beyond(limits, now));
+            for (bound, violation) in bounds.iter_mut().zip(&violations) {
+                *bound = if *violation > 0.0 { -(1.0 + aim) * violation } else { bound.max(0.0) };
+            }
+            let change = smallest_correction(&self.rows(&now.samples), &bounds).map_err(not_found)?;
+            push = add_scaled(&push, 1.0, &change.vector);
+            *now = self.evaluate(self.pushed(free, &push), constraints);
+            self.check(now)?;
+            if self.violations(limits, now, &sizes) == [0.0; M] {
+                return Ok(push);
+            }
+            aim *= 2.0;
         }
         Err(HoldReason::CorrectionNotFound)
     }
@@ -132,6 +180,13 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
             *size = libm::fabs(s.value) + norm(&s.gradient) * (place + *size * speed);
         }
         sizes
+    }
+}
+
+fn not_found(reason: NoCorrection) -> HoldReason {
+    match reason {
+        NoCorrection::Contradiction(i) => HoldReason::Contradiction(i),
+        NoCorrection::Cycling => HoldReason::CorrectionNotFound,
     }
 }
 

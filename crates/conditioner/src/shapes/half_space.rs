@@ -1,9 +1,9 @@
-use super::parameter::{ShapeParameter, accept, unit};
+use super::parameter::plane;
 use super::{Local, Shape};
 use crate::error::ParameterError;
 use crate::path::vector::dot;
 
-/// One side of a plane: `σ = nᵀ p - d <= 0` with a unit normal `n` pointing out of the allowed side.
+/// One side of a plane, `nᵀ p <= d`, as a distance: `σ = (nᵀ p - d) / ‖n‖ <= 0`, `n` pointing out of the allowed side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfSpace<const N: usize> {
     normal: [f64; N],
@@ -11,14 +11,26 @@ pub struct HalfSpace<const N: usize> {
 }
 
 impl<const N: usize> HalfSpace<N> {
-    /// `normal` is brought to unit length; `offset` is the distance of the plane from the origin along it.
+    /// From `n` of any length and `d`: both are divided by `‖n‖`, so the plane stays where `nᵀ p = d` and `σ` is a length.
     ///
     /// # Errors
     ///
-    /// A component that is not finite, or a normal of length zero.
+    /// A component that is not finite, a normal of length zero, or one so short that the distance is not finite.
     pub fn new(normal: &[f64; N], offset: f64) -> Result<Self, ParameterError> {
-        let offset = accept(ShapeParameter::Offset, offset, true)?;
-        Ok(Self { normal: unit(normal)?, offset })
+        let (normal, offset) = plane(normal, offset)?;
+        Ok(Self { normal, offset })
+    }
+
+    /// `n / ‖n‖`.
+    #[must_use]
+    pub fn normal(&self) -> [f64; N] {
+        self.normal
+    }
+
+    /// `d / ‖n‖`: distance of the plane from the origin along the normal.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        self.offset
     }
 }
 

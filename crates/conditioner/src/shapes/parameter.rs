@@ -12,7 +12,7 @@ pub enum ShapeParameter {
     Direction(usize),
     /// The length of a normal or an axis.
     DirectionLength,
-    /// The distance of a plane from the origin.
+    /// The offset `d` of a plane `nᵀ p = d`, or its distance from the origin `d / ‖n‖`.
     Offset,
     /// A radius.
     Radius,
@@ -24,6 +24,8 @@ pub enum ShapeParameter {
     Exponent,
     /// The sharpness of a smoothed maximum.
     Sharpness,
+    /// The number of faces of a polytope, of their normals or of their offsets.
+    FaceCount,
     /// A weight of the oval.
     Weight(usize),
 }
@@ -40,6 +42,7 @@ impl fmt::Display for ShapeParameter {
             Self::Scale => write!(f, "scale"),
             Self::Exponent => write!(f, "exponent"),
             Self::Sharpness => write!(f, "sharpness"),
+            Self::FaceCount => write!(f, "number of faces"),
             Self::Weight(i) => write!(f, "weight {}", i + 1),
         }
     }
@@ -62,6 +65,14 @@ pub(crate) fn each<const N: usize>(
         accept(parameter(i), value, inside(value))?;
     }
     Ok(())
+}
+
+/// Unit normal and distance from the origin of the plane `nᵀ p = d`: both divided by `‖n‖`.
+pub(crate) fn plane<const N: usize>(normal: &[f64; N], offset: f64) -> Result<([f64; N], f64), ParameterError> {
+    accept(ShapeParameter::Offset, offset, true)?;
+    let unit = unit(normal)?;
+    let distance = accept(ShapeParameter::Offset, offset / crate::path::vector::norm(normal), true)?;
+    Ok((unit, distance))
 }
 
 /// The unit vector along a direction that is finite and not zero.

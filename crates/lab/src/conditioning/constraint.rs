@@ -24,7 +24,7 @@ pub struct NamedConstraint {
 /// The shapes a scenario can name.
 #[derive(Clone, Debug)]
 pub enum Shape3 {
-    /// One side of a plane: unit normal and offset.
+    /// One side of a plane: unit normal and distance, which are those of the file divided by the normal's length.
     HalfSpace {
         /// Outward unit normal.
         normal: [f64; 3],
@@ -67,7 +67,7 @@ pub enum Shape3 {
     Formula(Box<ExpressionConstraint>),
 }
 
-/// Faces of a polytope at the most; fewer are padded with copies of the first.
+/// Faces of a polytope at the most.
 pub(crate) const POLYTOPE_FACES: usize = 12;
 
 /// How a constraint is carried along.
@@ -164,10 +164,8 @@ impl Shape3 {
         let refused = |error| LabError::value(key, Fault::Conditioner(error));
         Ok(match table {
             ShapeTable::HalfSpace { normal, offset } => {
-                let raw = vector(normal);
-                let shape = HalfSpace::new(&raw, offset.0).map_err(refused)?;
-                let length = raw.iter().map(|n| n * n).sum::<f64>().sqrt();
-                Self::HalfSpace { normal: raw.map(|n| n / length), offset: offset.0, shape }
+                let shape = HalfSpace::new(&vector(normal), offset.0).map_err(refused)?;
+                Self::HalfSpace { normal: shape.normal(), offset: shape.offset(), shape }
             }
             ShapeTable::Polytope { normals, offsets, sharpness, side: s } => {
                 Self::Polytope(Box::new(polytope(normals, offsets, sharpness.0, side(*s), key)?))
@@ -215,9 +213,8 @@ fn polytope(
         let fault = Fault::OutOfRange { value: normals.len() as f64, least: 1.0, most: POLYTOPE_FACES as f64 };
         return Err(LabError::value(format!("{key}.polytope.normals"), fault));
     }
-    let face = |i: usize| if i < normals.len() { i } else { 0 };
-    let units: [[f64; 3]; POLYTOPE_FACES] = std::array::from_fn(|i| vector(&normals[face(i)]));
-    let distances: [f64; POLYTOPE_FACES] = std::array::from_fn(|i| offsets[face(i)].0);
-    Polytope::new(&units, distances, sharpness, side)
+    let normals: Vec<[f64; 3]> = normals.iter().map(vector).collect();
+    let offsets: Vec<f64> = offsets.iter().map(|offset| offset.0).collect();
+    Polytope::with_faces(&normals, &offsets, sharpness, side)
         .map_err(|error| LabError::value(format!("{key}.polytope"), Fault::Conditioner(error)))
 }

@@ -15,6 +15,6 @@ pub use disturbances::PathDisturbances;
 pub use expression::ExpressionConstraint;
 pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
 pub use problem::{ConditioningProblem, MarginChoice, Reference};
-pub use run::{check_conditioner, run_conditioner};
+pub use run::{CLOCK_ROUNDING, check_conditioner, run_conditioner};
 pub use scenario::ConditioningScenario;
 pub use trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};

@@ -8,10 +8,19 @@ use slideway_conditioner::path::{
     Walk,
 };
 
+/// How far past the end of the reference a sample still counts as at it, s: half a nanosecond covers the rounding of summed
+/// sampling periods.
+pub const CLOCK_ROUNDING: f64 = 5e-10;
+
 /// Samples after which a run is given up.
 const MAX_SAMPLES: usize = 5_000_000;
 
 /// Runs one of the conditioner's forms.
+///
+/// Every sample stands one whole sampling period after the one before, with the reference as far on as its pace takes it: the
+/// last is the last one at which the reference has not passed its end. Where the end falls between two samples,
+/// [`ConditionedTrace::finish_s`] is interpolated; there is no sample beyond the end, where the reference need not be
+/// defined, nor one at it, where the filters would have moved on by a whole period and the reference by a part of it.
 ///
 /// # Errors
 ///
@@ -120,14 +129,20 @@ fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Res
         let step =
             conditioner.step(&mut state, &reference, |motion| world.seen(problem.sample(&world.seen_at(motion))));
         trace.samples.push(sample(problem, clock, &reference, &step, &world));
-        // Half a nanosecond covers the rounding of the summed sampling periods.
-        if clock + 5e-10 >= duration {
+        if clock + CLOCK_ROUNDING >= duration {
             trace.finish_s = Some(t);
             break;
         }
         let period = world.period(problem.sampling_period);
         drift += period - problem.sampling_period;
-        clock = (clock + step.advance * (period / problem.sampling_period)).min(duration);
+        let next = clock + step.advance * (period / problem.sampling_period);
+        if next > duration + CLOCK_ROUNDING {
+            let arrival = t + period * (duration - clock) / (next - clock);
+            trace.finish_s =
+                Some(arrival).filter(|arrival| *arrival <= problem.reference.max_duration() + CLOCK_ROUNDING);
+            break;
+        }
+        clock = next.min(duration);
     }
     Ok(trace)
 }

@@ -99,7 +99,7 @@ pub struct ConditionedTrace {
     pub constraints: Vec<String>,
     /// Sampling period, s.
     pub sampling_period: f64,
-    /// When the reference reached its end, s.
+    /// When the reference reached its end, s: at the last sample, or less than a sampling period after it.
     pub finish_s: Option<f64>,
     /// The samples.
     pub samples: Vec<ConditionedSample>,
