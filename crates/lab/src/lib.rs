@@ -49,6 +49,7 @@ pub use robot::{MAX_JOINTS, robot_in};
 pub use run::controller::Demand;
 pub use run::course::{Course, CourseSample, Effort, ProfilePoint};
 pub use run::disturbances::Disturbances;
+pub use run::joint_units::JointUnits;
 pub use run::law::Method;
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use run::trace::{Chatter, Sample, Trace};

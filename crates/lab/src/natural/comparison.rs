@@ -6,6 +6,7 @@ use crate::error::{Fault, LabError};
 use crate::path::CartesianPath;
 use crate::problem::Problem;
 use crate::robot::MAX_JOINTS;
+use crate::run::joint_units::JointUnits;
 use crate::run::law::Method;
 use crate::run::simulate::{MAX_SAMPLES, pad};
 use crate::run::trace::{Sample, Trace};
@@ -117,6 +118,7 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
     Trace {
         method,
         joints: N,
+        units: JointUnits::of(&problem.arm),
         sampling_period: problem.fixed_speed.sampling_period,
         finish_s: None,
         arrival_s: None,
