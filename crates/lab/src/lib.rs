@@ -29,7 +29,7 @@ mod scenario;
 pub mod sweep;
 mod traced;
 
-pub use error::{Fault, LabError};
+pub use error::{Fault, LabError, ListOf};
 pub use experiment::Experiment;
 pub use formula::{FormulaError, constant};
 pub use joint_path::sampled::{PathSample, SampledPath, SampledPiece};

@@ -108,8 +108,11 @@ fn rise(table: &NaturalTable) -> Result<f64, LabError> {
 
 fn share(table: &NaturalTable) -> Result<f64, LabError> {
     let share = table.share.map_or(1.0, |s| s.0);
+    if !(share > 0.0) {
+        return Err(LabError::value("natural.share", Fault::NotPositive(share)));
+    }
     let fault = Fault::OutOfRange { value: share, least: 0.0, most: 1.0 };
-    if share > 0.0 && share <= 1.0 { Ok(share) } else { Err(LabError::value("natural.share", fault)) }
+    if share <= 1.0 { Ok(share) } else { Err(LabError::value("natural.share", fault)) }
 }
 
 /// A run that takes longer than any trace can hold: it never moves.
