@@ -76,9 +76,42 @@ fn values_that_cannot_be_meant_are_pointed_out_with_file_line_and_remedy() {
         ("# [disturbances]", "[disturbances]\njitter = 1", "outside"),
         ("# [disturbances]", "[disturbances]\ndelay = 0.5", "u32"),
         ("# [disturbances]", "[disturbances]\nnoise = 1", "unknown field"),
+        ("# [disturbances]", "[disturbances]\njoint_offset = 0.01", "a list of numbers, one per joint"),
         ("# [verify]", "[verify]\njitter = 2", "outside"),
     ] {
         points_at_the_line(from, to, says);
+    }
+}
+
+#[test]
+fn what_a_remedy_offers_is_accepted_where_it_is_offered() {
+    let all = "or a single one for all joints";
+    for (from, to, says, says_not) in [
+        ("speed = 0.5", "speed = [0.5, 0.5]", all, "give 6 numbers, one"),
+        ("# [disturbances]", "[disturbances]\njoint_offset = [0, 0]", "give 6 numbers, one per joint", all),
+        ("gain = 10", "gain = 2000", "greater than 0 and less than 2000", "from 0 to 2000"),
+        ("end = \"2 * pi\"", "end = \"2 * pi\"\n[start]\nnear = [0, 0]", "", "single"),
+    ] {
+        let (printed, _) = spoil(from, to);
+        let words = printed.replace("\n        ", " ");
+        assert!(words.contains(says) && !words.contains(says_not), "{to}: {words}");
+    }
+    // An arm without a wrist, and a path that stands still: both name the file, and what they say to change is there.
+    let arm = "[robot]\nmodel = \"planar-2r\"\n[path.joints.line]\nfrom = [0, 1]\nto = [0, 1]\n[limits]\nspeed = 1\n";
+    let control = "[control]\ngain = 10\nsampling_period = 1e-3\nbandwidth = 50\ntarget_rate = 2\n";
+    let folder = tempfile::tempdir().expect("folder");
+    let line = slideway_lab::BUILT_IN.iter().find(|b| b.name == "planar-line").expect("built in").text;
+    let natural = format!("{line}\n[natural]\nfactor = \"arm\"\n");
+    for (name, text, says) in [
+        ("still.toml", format!("{arm}{control}"), "still.toml: no optimum: piece 1 of the joint path does not move"),
+        ("wrist.toml", natural, "leave `natural.factor` out"),
+    ] {
+        std::fs::write(folder.path().join(name), text).expect("written");
+        let output = slideway(folder.path(), &["compare", name]);
+        let printed = String::from_utf8_lossy(&output.stderr).replace("\n  │ ", " ").replace("\n        ", " ");
+        assert_eq!(output.status.code(), Some(2), "{printed}");
+        assert!(printed.contains(says) && printed.contains(name), "{printed}");
+        assert!(!printed.contains("start.branch"), "{printed}");
     }
 }
 
@@ -123,7 +156,10 @@ fn a_torque_that_does_not_hold_the_arm_is_told_with_joint_place_and_what_would_d
     let output = slideway(folder.path(), &["compare", "weak.toml"]);
     assert_eq!(output.status.code(), Some(2));
     let words = String::from_utf8_lossy(&output.stderr).replace("\n  │", "").replace("\n       ", "");
-    assert!(words.contains("joint torque limit 2 at s = "), "{words}");
+    assert!(
+        words.contains("weak.toml: no optimum: no speed profile keeps the torque limit of joint 2 at s = "),
+        "{words}"
+    );
     assert!(words.contains("if every such limit gave way by"), "{words}");
 }
 

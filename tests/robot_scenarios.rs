@@ -50,6 +50,28 @@ grid_points = 200
 "#;
 
 #[test]
+fn columns_and_axes_of_a_joint_that_slides_are_in_metres_and_those_of_one_that_turns_in_radians() {
+    let folder = folder(GANTRY);
+    let output = slideway(folder.path(), &["compare", "scenarios/mine.toml", "--out", "out"]);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |file: &str| std::fs::read_to_string(folder.path().join("out").join(file)).expect("written");
+    let trace = read("trace-sliding-mode.csv");
+    let columns: Vec<&str> = trace.lines().next().expect("a header").split(',').collect();
+    for (name, per) in [("q", ""), ("qd_desired", "_per_s"), ("qd_commanded", "_per_s")] {
+        let of_joints: Vec<&str> = (1..=3)
+            .map(|joint| {
+                let begins = format!("{name}{joint}_");
+                *columns.iter().find(|column| column.starts_with(&begins)).expect("a column")
+            })
+            .collect();
+        assert_eq!(of_joints, [format!("{name}1_m{per}"), format!("{name}2_m{per}"), format!("{name}3_rad{per}")]);
+    }
+    let figure = read("figures/joint-speeds.svg");
+    let axes = |unit: &str| figure.lines().filter(|line| line.trim() == unit).count();
+    assert_eq!((axes("m/s"), axes("rad/s")), (2, 1));
+}
+
+#[test]
 fn sliding_joints_run_with_the_speed_limits_of_their_urdf() {
     let summary = compare(GANTRY);
     assert_eq!(summary["optimum"]["certified"], true);

@@ -130,6 +130,52 @@ fn another_scenario_or_other_arguments_in_the_same_folder_are_refused_with_what_
     assert!(printed.contains(&says), "{printed}");
 }
 
+/// A scenario whose arm and path come from files beside it.
+const FROM_FILES: &str = r#"
+[robot]
+urdf = "planar.urdf"
+[path.joints.spline]
+csv = "points.csv"
+[limits]
+speed = 1
+[control]
+gain = 10
+sampling_period = 1e-3
+bandwidth = 50
+target_rate = 2
+"#;
+
+#[test]
+fn rows_are_never_continued_with_another_file_that_the_scenario_or_a_setting_names() {
+    let folder = folder();
+    let write = |file: &str, text: &str| std::fs::write(folder.path().join(file), text).expect("written");
+    let arm = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robot/tests/urdf/planar.urdf");
+    let arm = std::fs::read_to_string(arm).expect("fixture");
+    let points = "q1,q2\n0,0.5\n0.2,0.7\n0.3,1.1\n0.5,1.2\n";
+    for (file, text) in [("own.toml", FROM_FILES), ("planar.urdf", &arm), ("points.csv", points), ("b.csv", points)] {
+        write(file, text);
+    }
+    let arguments = ["own.toml", "--grid", "path.joints.spline.csv=points.csv,b.csv", "--out", "out"];
+    sweep(folder.path(), &arguments, 0);
+    sweep(folder.path(), &arguments, 0);
+    let rows = read(folder.path(), "out/rows.csv");
+    let faster = arm.replace("velocity=\"2\"", "velocity=\"2.5\"");
+    let further = points.replace("0.7", "0.8");
+    for (file, was, now) in
+        [("points.csv", points, further.as_str()), ("b.csv", points, &further), ("planar.urdf", &arm, &faster)]
+    {
+        assert_ne!(was, now);
+        write(file, now);
+        let printed = sweep(folder.path(), &arguments, 2);
+        assert!(printed.contains("text of its files was") && printed.contains("--out"), "{file}: {printed}");
+        write(file, was);
+    }
+    assert_eq!(rows, read(folder.path(), "out/rows.csv"));
+    std::fs::remove_file(folder.path().join("b.csv")).expect("removed");
+    let printed = sweep(folder.path(), &arguments, 2);
+    assert!(printed.contains("list of files was"), "{printed}");
+}
+
 #[test]
 fn a_file_that_no_sweep_wrote_is_neither_used_nor_changed() {
     let folder = folder();

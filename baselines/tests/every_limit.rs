@@ -102,7 +102,7 @@ fn a_place_that_no_speed_carries_over_is_named() {
     assert_eq!((kind, index, proven), (LimitKind::JointTorque, 0, true));
     assert!((60..=65).contains(&node) && (s - node as f64 / 100.0).abs() < 1e-12);
     assert!((share - 1.0).abs() < 1e-9, "{share}");
-    assert!(error.to_string().contains("joint torque limit 1 at s = 0.6"), "{error}");
+    assert!(error.to_string().contains("the torque limit of joint 1 at s = 0.6"), "{error}");
 }
 
 #[test]

@@ -32,8 +32,8 @@ impl<'a> JointSpeeds<'a> {
                 let speed = largest(run.samples.iter().map(|s| s.commanded[joint].abs()));
                 let is_worse = worst.as_ref().is_none_or(|(most, _)| speed > *most);
                 if speed > 1.001 * panel.range.end.max(-panel.range.start) && is_worse {
-                    let text =
-                        format!("{} joint {}, up to {} rad/s", label(run.method), joint + 1, significant(speed, 2));
+                    let (method, most, unit) = (label(run.method), significant(speed, 2), &panel.label);
+                    let text = format!("{method} joint {}, up to {most} {unit}", joint + 1);
                     worst = Some((speed, text));
                 }
             }
@@ -63,7 +63,7 @@ fn panel(checked: &Checked, joint: usize) -> Multiple {
     let room = 0.08 * (upper - lower);
     Multiple {
         title: format!("joint {}", joint + 1),
-        label: "rad/s".to_owned(),
+        label: checked.units(joint).speed.to_owned(),
         range: least.min(lower) - room..most.max(upper) + room,
         levels: vec![lower, upper],
         value: Box::new(move |s| s.commanded[joint]),

@@ -1,6 +1,6 @@
 use crate::error::FigureError;
 use crate::style::label;
-use slideway_lab::{Method, Sample, SampledPath, Trace};
+use slideway_lab::{JointUnits, Method, Sample, SampledPath, Trace};
 
 /// What the figures of a comparison of speed laws are drawn from.
 #[derive(Clone, Copy, Debug)]
@@ -118,6 +118,12 @@ impl<'a> Checked<'a> {
             .collect::<Result<Vec<_>, _>>()?;
         runs.sort_by_key(|run| Method::ALL.iter().position(|&m| m == run.method));
         Ok(Self { study, runs, joints })
+    }
+
+    /// Units of a joint: all runs are of one arm.
+    pub(crate) fn units(&self, joint: usize) -> JointUnits {
+        let units = self.study.traces.iter().max_by_key(|t| t.joints).and_then(|t| t.units.get(joint));
+        units.copied().unwrap_or(JointUnits::TURNING)
     }
 
     /// The regulated runs.

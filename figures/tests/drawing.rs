@@ -8,7 +8,9 @@ use slideway_figures::{
     Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Counterexample, FigureError, Optimum, Rendered, SpeedStudy,
     draw_chart, draw_counterexample, draw_speed_study,
 };
-use slideway_lab::{BUILT_IN, Experiment, MAX_JOINTS, Method, Sample, Scenario, ScenarioKind, Trace, scenario_kind};
+use slideway_lab::{
+    BUILT_IN, Experiment, JointUnits, MAX_JOINTS, Method, Sample, Scenario, ScenarioKind, Trace, scenario_kind,
+};
 use std::error::Error;
 use std::path::Path;
 
@@ -46,6 +48,7 @@ impl Material {
             traces: vec![Trace {
                 method: Method::SlidingMode,
                 joints: 1,
+                units: [JointUnits::TURNING; MAX_JOINTS],
                 sampling_period: 0.01,
                 finish_s: Some(1.99),
                 arrival_s: None,
@@ -107,6 +110,20 @@ fn axis_labels(name: &str) -> &'static [&'static str] {
         "chattering" => &["time (s)", "of limit", "bound"],
         _ => &["a figure that this test does not know"],
     }
+}
+
+#[test]
+fn the_speed_of_a_joint_that_slides_is_drawn_in_metres_per_second() -> Result<(), Box<dyn Error>> {
+    let axis = |units: JointUnits| -> Result<bool, Box<dyn Error>> {
+        let mut material = Material::by_hand();
+        material.traces[0].units[0] = units;
+        let figures = draw(&material.study())?;
+        let speeds = figures.iter().find(|figure| figure.name == "joint-speeds").ok_or("not drawn")?;
+        assert_ne!(speeds.svg.contains("rad/s"), speeds.svg.lines().any(|line| line.trim() == "m/s"));
+        Ok(speeds.svg.contains("rad/s"))
+    };
+    assert!(axis(JointUnits::TURNING)? && !axis(JointUnits::SLIDING)?);
+    Ok(())
 }
 
 #[test]

@@ -5,7 +5,7 @@ use slideway_figures::{
     draw_courses, draw_mean_speed, draw_model_error,
 };
 use slideway_lab::natural::{ModelErrorRun, ModelErrorSample};
-use slideway_lab::{Course, CourseSample, Method};
+use slideway_lab::{Course, CourseSample, JointUnits, Method};
 
 /// A joint that speeds up and slows down, with or without a torque.
 fn course(torque: Option<f64>) -> Course {
@@ -15,7 +15,14 @@ fn course(torque: Option<f64>) -> Course {
         let torque = torque.map(|t| speed.map(|v| t * v));
         CourseSample { t: lambda, dt: 0.01, lambda, path_rate: 1.0 + lambda, speed, acceleration: speed, torque }
     };
-    Course { joints: 1, path: 0.0..6.0, settled_s: 0.0, start: [0.0; 7], samples: (0..600).map(sample).collect() }
+    Course {
+        joints: 1,
+        units: [JointUnits::TURNING; 7],
+        path: 0.0..6.0,
+        settled_s: 0.0,
+        start: [0.0; 7],
+        samples: (0..600).map(sample).collect(),
+    }
 }
 
 fn courses(torque: Option<f64>) -> Vec<NamedCourse> {

@@ -21,8 +21,8 @@ pub enum OptimumError {
     },
     /// No profile keeps the limits. Named is the limit that matters most in the proof.
     #[error(
-        "no speed profile keeps the {kind} limit {} at s = {s:.6} (node {node} of piece {}): short by at least {:.3} % of its range",
-        index + 1, piece + 1, 100.0 * share
+        "no speed profile keeps the {} at s = {s:.6} (node {node} of piece {}): short by at least {:.3} % of its range",
+        limit(*kind, *index), piece + 1, 100.0 * share
     )]
     Infeasible {
         /// The piece, counted from 0.
@@ -54,4 +54,15 @@ pub enum OptimumError {
     /// The solver's answer is no profile, or breaks a limit that scaling does not mend.
     #[error("the solver's answer cannot be repaired: {0}")]
     Unrepairable(&'static str),
+}
+
+/// A limit in words. The tool has one of each kind: which side of its polygon is meant tells the reader nothing.
+fn limit(kind: LimitKind, index: usize) -> String {
+    let joint = index + 1;
+    match kind {
+        LimitKind::JointSpeed => format!("speed limit of joint {joint}"),
+        LimitKind::JointAcceleration => format!("acceleration limit of joint {joint}"),
+        LimitKind::JointTorque => format!("torque limit of joint {joint}"),
+        LimitKind::ToolSpeed | LimitKind::ToolAcceleration => format!("{kind} limit"),
+    }
 }

@@ -162,8 +162,11 @@ impl Unrolling<'_> {
         match reason {
             Reason::Box => {}
             Reason::Row(index, side) => {
-                let (near, _) = self.direction.coefficients(&self.program.strips[index]);
+                let (near, far) = self.direction.coefficients(&self.program.strips[index]);
                 self.row(index, side, weight / near.abs());
+                // What the row has of `y` was taken at the end of its range that leaves most.
+                let grows = (far > 0.0) == (side == Side::Upper);
+                self.neighbour[usize::from(!grows)] += weight * (far / near).abs();
             }
             Reason::Pair { low, high } => {
                 let slope = (self.slope(low) - self.slope(high)).abs();

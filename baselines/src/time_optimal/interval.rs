@@ -16,7 +16,7 @@ pub(super) enum Reason {
     /// The node's own box.
     #[default]
     Box,
-    /// One row that does not contain `y`.
+    /// One row that contains `y` little or not at all, with `y` at the end of its range that leaves most.
     Row(usize, Side),
     /// `low` must not lie above `high`: `(p_low - p_high) x <= q_high - q_low`.
     Pair { low: Line, high: Line },
@@ -65,7 +65,7 @@ pub(super) enum Extreme {
 /// `x` or of `y` at a given `x`. Reused from interval to interval.
 ///
 /// Each row gives two parallel lines, `y = slope x + low` and `y = slope x + high`, kept in columns of their own. The first line is the
-/// neighbour's range; a row without `y` is no line and stands there as one that bounds nothing.
+/// neighbour's range; a row without `y` is no line and stands there as one that bounds nothing, and one with little `y` bounds `x` too.
 #[derive(Default)]
 pub(super) struct IntervalProgram {
     slope: Vec<f64>,
@@ -81,6 +81,13 @@ struct Envelope {
     low_line: usize,
     high_line: usize,
 }
+
+/// Slope from which a row counts as one of `x` first: it is turned into a bound on `x`, and its line is widened by rounding.
+///
+/// The envelopes are compared in units of `y`. A line of slope `p` is known there to `ε |p| x` only, so that a row which weighs `y` next
+/// to nothing would drown the others in its rounding: the greatest `x` would be left where the others are broken. Below this slope
+/// the rounding, `1024 ε = 2e-13` of the other rows' numbers, is far below what a profile may exceed a row by.
+const STEEP: f64 = 1024.0;
 
 /// Lines looked at side by side: two registers of two numbers on the smallest x86-64.
 const LANES: usize = 4;
@@ -102,13 +109,18 @@ impl IntervalProgram {
         for (offset, strip) in strips.iter().enumerate() {
             let (near, far) = direction.coefficients(strip);
             let inverse = far.recip();
-            // Not for an infinite inverse: a row whose `y` weighs nothing bounds `x`.
-            if !(inverse.abs() < f64::INFINITY) {
-                self.bound_x(strip, near, first + offset)?;
+            let slope = -near * inverse;
+            // Not for numbers that are none: a row without `y` is as steep as can be.
+            if slope.abs() <= STEEP && inverse.abs() < f64::INFINITY {
+                let (a, b) = (strip.lower * inverse, strip.upper * inverse);
+                self.set(offset + 1, slope, if a < b { [a, b] } else { [b, a] });
                 continue;
             }
-            let (a, b) = (strip.lower * inverse, strip.upper * inverse);
-            self.set(offset + 1, -near * inverse, if a < b { [a, b] } else { [b, a] });
+            self.bound_x(strip, [near, far], y, first + offset)?;
+            if slope.abs() < f64::INFINITY && inverse.abs() < f64::INFINITY {
+                let (a, b) = (strip.lower * inverse, strip.upper * inverse);
+                self.set(offset + 1, slope, Self::widened(if a < b { [a, b] } else { [b, a] }, y));
+            }
         }
         if self.x[0] > self.x[1] {
             return Err(Clash::Bounds { low: self.reasons[0], high: self.reasons[1] });
@@ -136,15 +148,29 @@ impl IntervalProgram {
         if line == 0 { Line::Neighbour } else { Line::Strip(self.first + line - 1) }
     }
 
-    /// A row without `y` bounds `x`, or holds everywhere, or nowhere.
-    fn bound_x(&mut self, strip: &Strip, near: f64, index: usize) -> Result<(), Clash> {
+    /// A steep line's range, widened by what rounding can move it.
+    ///
+    /// With the unit round-off `u = ε / 2`, slope and offset are off by `2 u` of themselves, their product with `x` and the sum by `u`
+    /// each, and the bound on `x` that the row gives by `3 u`: `7 u (|slope| x + |offset|)` at the most, of which `8 u = 4 ε` also
+    /// covers the higher orders. Where the line passes through the range of `y`, which is where it matters, `|slope| x` is at most
+    /// `|offset| + y`. The row itself gives way by `8 ε` of its bound.
+    fn widened([low, high]: [f64; 2], y: [f64; 2]) -> [f64; 2] {
+        let rounding = |offset: f64| 4.0 * f64::EPSILON * (2.0 * offset.abs() + y[1]);
+        [low - rounding(low), high + rounding(high)]
+    }
+
+    /// A row with little or no `y` bounds `x`, whatever `y` is in its range, or holds everywhere, or nowhere.
+    fn bound_x(&mut self, strip: &Strip, [near, far]: [f64; 2], y: [f64; 2], index: usize) -> Result<(), Clash> {
+        // Nothing for a weight of zero, whose product with an infinite bound would be no number.
+        let [a, b] = if far == 0.0 { [0.0; 2] } else { y.map(|y| far * y) };
+        let (lower, upper) = (strip.lower - a.max(b), strip.upper - a.min(b));
         if near == 0.0 {
-            if strip.lower > 0.0 {
+            if lower > 0.0 {
                 return Err(Clash::Row(index, Side::Lower));
             }
-            return if strip.upper < 0.0 { Err(Clash::Row(index, Side::Upper)) } else { Ok(()) };
+            return if upper < 0.0 { Err(Clash::Row(index, Side::Upper)) } else { Ok(()) };
         }
-        let (a, b) = (strip.lower / near, strip.upper / near);
+        let (a, b) = (lower / near, upper / near);
         let sides = [(a, Side::Lower), (b, Side::Upper)];
         let [least, greatest] = if near > 0.0 { sides } else { [sides[1], sides[0]] };
         if least.0 > self.x[0] {
@@ -218,12 +244,22 @@ impl IntervalProgram {
         Ok((x, reason))
     }
 
-    /// The greatest value after an interval that its strips allow, given the value `x` before it.
+    /// The greatest value after an interval that its strips allow up to rounding, given the value `x` before it.
+    ///
+    /// `x` is the root of two lines at the worst, and known to rounding only. Where a row weighs `y` little, that rounding divided
+    /// by the weight is a large part of `y`: taken literally, the row would force `y` down by it and so break another row that
+    /// weighs `y` more. Every row is therefore given what rounding can take from it. With the unit round-off `u = ε / 2`, slope
+    /// and offset of a line are off by `2 u` of themselves each, the root's differences and quotient add `3 u`, and a steep line is
+    /// widened by `8 u`: at the root a row's two sides differ by at most `13 u (|before x| + |bound|)`. The product and the
+    /// difference here add `2 u`, and `16 u = 8 ε` covers the higher orders. A row is exceeded by no more than that; what is too
+    /// much for the caller shows when it checks the profile with outward rounding.
     pub(super) fn greatest_after(strips: &[Strip], x: f64) -> f64 {
         let mut greatest = f64::INFINITY;
         for strip in strips {
-            let bound = if strip.after > 0.0 { strip.upper } else { strip.lower };
-            let value = (bound - strip.before * x) / strip.after;
+            let (bound, outwards) = if strip.after > 0.0 { (strip.upper, 1.0) } else { (strip.lower, -1.0) };
+            let used = strip.before * x;
+            let rounding = 8.0 * f64::EPSILON * (used.abs() + bound.abs());
+            let value = (bound - used + outwards * rounding) / strip.after;
             // A row without the value after bounds nothing here; for it the division gives an infinity or not a number.
             greatest = if strip.after != 0.0 && value < greatest { value } else { greatest };
         }
@@ -290,9 +326,10 @@ pub(super) fn proven_bound(
     match reason {
         Reason::Box => None,
         Reason::Row(index, side) => {
-            let (near, _) = direction.coefficients(&strips[index]);
+            let (near, far) = direction.coefficients(&strips[index]);
             let bound = if side == Side::Upper { strips[index].upper } else { strips[index].lower };
-            Some(outer(Outward::exact(bound) / Outward::exact(near)))
+            let weighed = if far == 0.0 { Outward::ZERO } else { Outward::exact(far) * Outward { lo: y[0], hi: y[1] } };
+            Some(outer((Outward::exact(bound) - weighed) / Outward::exact(near)))
         }
         Reason::Pair { low, high } => {
             let (p_low, q_low) = outward_line(low, Extreme::Least, strips, direction, y);
@@ -373,6 +410,42 @@ mod tests {
             upper: lower + width,
             source: SOURCE,
         })
+    }
+
+    /// Coefficients of which one may weigh next to nothing, down to where its inverse overflows.
+    fn lopsided_strip() -> impl Strategy<Value = Strip> {
+        let weight = || prop_oneof![2 => Just(0), 3 => -18..0_i32, 1 => -320..0_i32].prop_map(|e| 10.0_f64.powi(e));
+        (strip(), weight(), weight()).prop_map(|(strip, before, after)| Strip {
+            before: strip.before * before,
+            after: strip.after * after,
+            ..strip
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn from_any_value_of_the_range_the_greatest_next_one_keeps_every_row_however_little_a_row_weighs_it(
+            strips in prop::collection::vec(lopsided_strip(), 1..8),
+            share in prop_oneof![2 => Just(1.0), 1 => Just(0.0), 1 => 0.0..1.0_f64],
+        ) {
+            let (x, y) = ([0.0, 1.5], [0.1, 1.2]);
+            let mut program = IntervalProgram::default();
+            let range = program.load(&strips, 0, Direction::Backward, x, y).and_then(|()| {
+                Ok([program.extreme(Extreme::Least)?.0, program.extreme(Extreme::Greatest)?.0])
+            });
+            let Ok([least, greatest]) = range else { return Ok(()) };
+            prop_assume!(least <= greatest);
+            let from = least + share * (greatest - least);
+            let next = IntervalProgram::greatest_after(&strips, from).min(y[1]).max(y[0]);
+            for strip in &strips {
+                // A row gives way by the 8 ε of `greatest_after` and the check adds 4 ε, of `|before x| + |bound| <= 3 · 1.5 + 1.6`.
+                // A line that is not steep is known to 5 u of 1024 times that in units of `y`, which rows weigh up to 3 times.
+                let most = f64::EPSILON * 6.1 * (12.0 + 3.0 * 2.5 * 1024.0);
+                prop_assert!(strip.overshoot(from, next) <= most, "{strip:?} from {from} to {next}");
+            }
+        }
     }
 
     proptest! {

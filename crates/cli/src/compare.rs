@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
 /// Runs every method on a scenario and writes traces, figures, summary and report.
 pub(crate) fn compare(loaded: &Loaded, name: &str, options: &CompareOptions, out: &Path) -> Result<Compared, CliError> {
     match loaded {
-        Loaded::Speed(scenario) => compare_speed(name, options, scenario, out),
+        Loaded::Speed(scenario) => compare_speed(name, options, scenario, out).map_err(|error| error.in_file(name)),
         Loaded::Conditioning(scenario) => compare_conditioning(name, options, scenario, out),
     }
 }

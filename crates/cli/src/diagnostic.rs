@@ -69,6 +69,9 @@ pub(crate) enum CliError {
     /// Limits that no profile keeps, and by which share of their half ranges they would have to give way.
     #[error("no optimum: {error}")]
     Infeasible { error: OptimumError, widening: Option<f64> },
+    /// An error that does not name its scenario itself, with the scenario's name or file.
+    #[error("{file}: {error}")]
+    InFile { file: String, error: Box<CliError> },
     /// No figures.
     #[error("no figures: {0}")]
     Figures(#[from] FigureError),
@@ -90,6 +93,14 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
+    /// Names the scenario where an error is about one and does not tell which.
+    pub(crate) fn in_file(self, file: &str) -> Self {
+        match self {
+            Self::Optimum(_) | Self::Infeasible { .. } => Self::InFile { file: file.to_owned(), error: Box::new(self) },
+            named => named,
+        }
+    }
+
     /// As a report that prints with file, line and remedy.
     pub(crate) fn into_report(self) -> miette::Report {
         let (source, span) = match &self {
@@ -151,6 +162,7 @@ impl CliError {
                 None => "raise the limit named, or change the path or its speed at the ends there".into(),
             },
             Self::Optimum(_) => "a path that avoids singular configurations can be solved".into(),
+            Self::InFile { error, .. } => error.remedy(),
             Self::Sweep(failure) => failure.remedy(),
             Self::Journal(error) => error.remedy(),
             Self::Verify(failure) => failure.remedy(),

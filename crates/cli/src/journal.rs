@@ -27,14 +27,17 @@ pub(crate) struct Difference {
     pub(crate) now: String,
 }
 
+/// What something is called, what it was and what it is now.
+pub(crate) type Thing = (&'static str, String, String);
+
 impl Difference {
     /// The first of the things that is not the same.
-    pub(crate) fn first<const N: usize>(things: [(&'static str, String, String); N]) -> Option<Self> {
+    pub(crate) fn first<const N: usize>(things: [Thing; N]) -> Option<Self> {
         things.into_iter().find(|(_, was, now)| was != now).map(|(what, was, now)| Self { what, was, now })
     }
 
     /// Two texts by their first differing line, as a thing for [`Difference::first`].
-    pub(crate) fn of_texts(what: &'static str, was: &str, now: &str) -> (&'static str, String, String) {
+    pub(crate) fn of_texts(what: &'static str, was: &str, now: &str) -> Thing {
         (what, differing_line(was, now), differing_line(now, was))
     }
 }

@@ -103,8 +103,9 @@ pub(crate) struct OptimumEntry {
     pub(crate) inter_sample_tolerance: Option<f64>,
     /// Samples between grid points whose limits refinement added.
     pub(crate) refining_samples: usize,
-    /// The greedy profile by reachability on the same rows: feasible, not the optimum, hundreds of times faster.
-    pub(crate) reachable_s: f64,
+    /// The greedy profile by reachability on the same rows: feasible, not the optimum, hundreds of times faster; null where it was
+    /// not found.
+    pub(crate) reachable_s: Option<f64>,
     /// Closed form under speed limits alone: the integral of the slowest joint's need, on a finer grid.
     pub(crate) closed_form_speed_s: f64,
     /// The optimum on a grid twice as fine.
@@ -159,6 +160,11 @@ pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
 }
 
 impl OptimumEntry {
+    /// The time of the greedy profile in words.
+    pub(crate) fn greedy_in_words(&self) -> String {
+        self.reachable_s.map_or_else(|| "not found".into(), |time| format!("{time:.6} s"))
+    }
+
     /// The violations between grid points in words.
     pub(crate) fn between_in_words(&self) -> String {
         let between = &self.between_nodes;
@@ -187,7 +193,8 @@ pub(crate) struct Solved {
     pub(crate) optimum: TimeOptimum,
     pub(crate) inter_sample_tolerance: Option<f64>,
     pub(crate) refining_samples: usize,
-    pub(crate) reachable_s: f64,
+    /// Time of the greedy profile, s. It is an extra: the optimum has its own certificate and stands without it.
+    pub(crate) reachable_s: Option<f64>,
     /// The optimum on a grid twice as fine, s.
     pub(crate) refined_s: f64,
 }
@@ -197,12 +204,12 @@ impl Solved {
     pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
         let Some(tolerance) = tolerance else {
             let optimum = time_optimum(path)?;
-            let reachable_s = reachable_profile(path)?.duration_s;
+            let reachable_s = reachable_profile(path).ok().map(|profile| profile.duration_s);
             let refined_s = time_optimum(finer)?.duration_s;
             return Ok(Self { optimum, inter_sample_tolerance: None, refining_samples: 0, reachable_s, refined_s });
         };
         let Refined { result: optimum, added, .. } = refine_optimum(path, tolerance)?;
-        let reachable_s = refine_profile(path, tolerance)?.result.duration_s;
+        let reachable_s = refine_profile(path, tolerance).ok().map(|refined| refined.result.duration_s);
         let refined_s = time_optimum(finer)?.duration_s;
         Ok(Self { optimum, inter_sample_tolerance: Some(tolerance), refining_samples: added, reachable_s, refined_s })
     }

@@ -6,7 +6,7 @@ use crate::output::{Outcome, print};
 use crate::parallel::{Work, jobs};
 use crate::sweep_error::SweepFailure;
 use crate::sweep_journal::{self, Opened, write_csv};
-use crate::sweep_table;
+use crate::{sweep_table, verify_files};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
 use slideway_lab::sweep::{
     Axis, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
@@ -31,8 +31,10 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
     let plan = plan(arguments).map_err(|error| in_file(error, &arguments.scenario))?;
     let default = || Path::new("out").join(format!("sweep-{}", plan.request().name));
     let out = arguments.out.clone().unwrap_or_else(default);
+    // Of every cell: a setting may name a file too.
+    let files = verify_files::readable(plan.texts(), &arguments.scenario);
     fs::create_dir_all(&out).map_err(|source| CliError::Write { path: out.clone(), source })?;
-    let Opened { journal, rows } = sweep_journal::open(&out.join("rows.jsonl"), &plan)?;
+    let Opened { journal, rows } = sweep_journal::open(&out.join("rows.jsonl"), &plan, files)?;
     let rows =
         finish(&plan, &journal, rows, jobs(arguments.jobs)).map_err(|error| in_file(error, &arguments.scenario))?;
     let summary = SweepSummary::new(&plan, &rows);

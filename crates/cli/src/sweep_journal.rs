@@ -2,6 +2,7 @@
 
 use crate::diagnostic::CliError;
 use crate::journal::{Difference, Identity, Journal};
+use crate::verify_files::{self, NamedFiles};
 use serde::{Deserialize, Serialize};
 use slideway_lab::sweep::{SweepPlan, SweepRow, shown};
 use std::path::Path;
@@ -13,6 +14,7 @@ struct SweepIdentity {
     version: String,
     scenario: String,
     text: String,
+    files: NamedFiles,
     method: String,
     seeds: Option<u64>,
     set: Vec<String>,
@@ -27,13 +29,14 @@ pub(crate) struct Opened {
 }
 
 impl SweepIdentity {
-    fn new(plan: &SweepPlan) -> Self {
+    fn new(plan: &SweepPlan, files: NamedFiles) -> Self {
         let request = plan.request();
         let values = |values: &[toml::Value]| values.iter().map(toml::Value::to_string).collect::<Vec<_>>().join(",");
         Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scenario: request.name.clone(),
             text: request.text.clone(),
+            files,
             method: plan.method().to_owned(),
             seeds: request.seeds,
             set: request.settings.iter().map(|s| format!("{}={}", s.key, s.value)).collect(),
@@ -49,10 +52,13 @@ impl Identity for SweepIdentity {
     fn difference(&self, now: &Self) -> Option<Difference> {
         let seeds = |seeds: Option<u64>| seeds.map_or("not given".into(), |n| format!("--seeds {n}"));
         let list = |list: &[String]| if list.is_empty() { "not given".into() } else { list.join(" ") };
+        let [list_of_files, texts_of_files] = verify_files::differences(&self.files, &now.files);
         Difference::first([
             ("version of the program", self.version.clone(), now.version.clone()),
             ("scenario", self.scenario.clone(), now.scenario.clone()),
             Difference::of_texts("scenario's text", &self.text, &now.text),
+            list_of_files,
+            texts_of_files,
             ("method", self.method.clone(), now.method.clone()),
             ("number of seeds", seeds(self.seeds), seeds(now.seeds)),
             ("--set", list(&self.set), list(&now.set)),
@@ -62,8 +68,8 @@ impl Identity for SweepIdentity {
     }
 }
 
-/// Opens the journal of a plan, new or begun.
-pub(crate) fn open(path: &Path, plan: &SweepPlan) -> Result<Opened, CliError> {
+/// Opens the journal of a plan, new or begun; `files` are those that its scenario names.
+pub(crate) fn open(path: &Path, plan: &SweepPlan, files: NamedFiles) -> Result<Opened, CliError> {
     let mut rows = vec![None; plan.runs()];
     let take = |row: SweepRow| {
         if row.values.len() != plan.columns().len() {
@@ -74,7 +80,7 @@ pub(crate) fn open(path: &Path, plan: &SweepPlan) -> Result<Opened, CliError> {
         *slot = Some(row);
         Ok(())
     };
-    let journal = Journal::open(path, &SweepIdentity::new(plan), take)?;
+    let journal = Journal::open(path, &SweepIdentity::new(plan, files), take)?;
     Ok(Opened { journal, rows })
 }
 

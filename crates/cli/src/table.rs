@@ -125,7 +125,7 @@ fn optimum(summary: &Summary) -> String {
 fn optimum_line(name: &str, o: &OptimumEntry) -> String {
     format!(
         "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, solver says {}, {:.0} ms)\n  \
-         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, greedy profile {:.6} s\n  \
+         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, greedy profile {}\n  \
          largest violation between grid points: {}\n",
         o.lower_s,
         o.upper_s,
@@ -136,7 +136,7 @@ fn optimum_line(name: &str, o: &OptimumEntry) -> String {
         1e3 * o.solve_s,
         o.closed_form_speed_s,
         o.refined_s,
-        o.reachable_s,
+        o.greedy_in_words(),
         o.between_in_words(),
     )
 }

@@ -1,11 +1,12 @@
-//! The files that a scenario names: trials depend on them, and a failing case needs them beside it.
+//! The files that a scenario names: rows and trials depend on them, and a failing case needs them beside it.
 
 use crate::diagnostic::CliError;
+use crate::journal::{Difference, Thing};
 use crate::loaded::scenario_error;
 use slideway_lab::LabError;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 use toml::{Table, Value};
 
 /// Keys of a scenario whose values are files.
@@ -16,16 +17,43 @@ pub(crate) type NamedFiles = BTreeMap<String, String>;
 
 /// Reads the files that a scenario names; `file` is the scenario's own, beside which they lie.
 pub(crate) fn read(text: &str, file: &str) -> Result<NamedFiles, CliError> {
-    let mut names = Vec::new();
-    // What is no TOML names nothing; that it is none is told where the scenario is read.
-    text.parse::<Table>().unwrap_or_default().values().for_each(|value| collect(value, &mut names));
-    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
     let one = |name: String| {
-        let path = folder.join(&name);
+        let path = beside(file, &name);
         let bytes = fs::read(&path).map_err(|source| scenario_error(LabError::Read { path, source }, file, None))?;
         Ok((name, String::from_utf8_lossy(&bytes).into_owned()))
     };
-    names.into_iter().map(one).collect()
+    names([text]).into_iter().map(one).collect()
+}
+
+/// Those files that any of several scenarios in place of `file` names and that can be read: about one that cannot, the run that needs
+/// it has more to tell.
+pub(crate) fn readable<'a>(texts: impl IntoIterator<Item = &'a str>, file: &str) -> NamedFiles {
+    let one = |name: String| {
+        let bytes = fs::read(beside(file, &name)).ok()?;
+        Some((name, String::from_utf8_lossy(&bytes).into_owned()))
+    };
+    names(texts).into_iter().filter_map(one).collect()
+}
+
+fn beside(file: &str, name: &str) -> PathBuf {
+    Path::new(file).parent().unwrap_or(Path::new("")).join(name)
+}
+
+/// The names of files in scenarios, each once.
+fn names<'a>(texts: impl IntoIterator<Item = &'a str>) -> BTreeSet<String> {
+    let mut names = Vec::new();
+    for text in texts {
+        // What is no TOML names nothing; that it is none is told where the scenario is read.
+        text.parse::<Table>().unwrap_or_default().values().for_each(|value| collect(value, &mut names));
+    }
+    names.into_iter().collect()
+}
+
+/// What may differ between two scenarios' files, for [`Difference::first`].
+pub(crate) fn differences(was: &NamedFiles, now: &NamedFiles) -> [Thing; 2] {
+    let list = |files: &NamedFiles| files.keys().cloned().collect::<Vec<_>>().join(", ");
+    let joined = |files: &NamedFiles| files.values().cloned().collect::<Vec<_>>().join("\n");
+    [("list of files", list(was), list(now)), Difference::of_texts("text of its files", &joined(was), &joined(now))]
 }
 
 fn collect(value: &Value, names: &mut Vec<String>) {

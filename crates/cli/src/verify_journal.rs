@@ -3,7 +3,7 @@
 
 use crate::diagnostic::CliError;
 use crate::journal::{Difference, Identity, Journal, foreign, read_journal};
-use crate::verify_files::NamedFiles;
+use crate::verify_files::{self, NamedFiles};
 use crate::verify_shard::Shard;
 use serde::{Deserialize, Serialize};
 use slideway_verify::{Campaign, Statement, Trial};
@@ -77,14 +77,13 @@ impl CampaignIdentity {
     /// The first thing in which two campaigns differ, whatever their shards.
     pub(crate) fn difference_of_campaigns(&self, now: &Self) -> Option<Difference> {
         let method = |method: &Option<String>| method.clone().unwrap_or_else(|| "not given".into());
-        let list = |files: &NamedFiles| files.keys().cloned().collect::<Vec<_>>().join(", ");
-        let joined = |files: &NamedFiles| files.values().cloned().collect::<Vec<_>>().join("\n");
+        let [list_of_files, texts_of_files] = verify_files::differences(&self.files, &now.files);
         Difference::first([
             ("version of the program", self.version.clone(), now.version.clone()),
             ("scenario", self.scenario.clone(), now.scenario.clone()),
             Difference::of_texts("scenario's text", &self.text, &now.text),
-            ("list of files", list(&self.files), list(&now.files)),
-            Difference::of_texts("text of its files", &joined(&self.files), &joined(&now.files)),
+            list_of_files,
+            texts_of_files,
             ("--method", method(&self.method), method(&now.method)),
             ("seed", self.seed.to_string(), now.seed.to_string()),
             ("number of trials", self.trials.to_string(), now.trials.to_string()),

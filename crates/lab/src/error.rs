@@ -79,12 +79,14 @@ pub enum Fault {
         lambda: f64,
     },
     /// A list of the wrong length.
-    #[error("{found} numbers given, {expected} needed (one per joint)")]
+    #[error("{found} {} given, {expected} needed ({})", list.entries(), list.one_per())]
     WrongLength {
         /// Entries found.
         found: usize,
         /// Entries needed.
         expected: usize,
+        /// What the list is of.
+        list: ListOf,
     },
     /// Two numbers that must increase do not.
     #[error("{after} does not lie after {before}")]
@@ -120,6 +122,22 @@ pub enum Fault {
         least: f64,
         /// Largest accepted.
         most: f64,
+    },
+    /// A number outside a range whose ends do not belong to it.
+    #[error("{value} is outside ({least}, {most}), whose ends do not count")]
+    OutOfOpenRange {
+        /// What was given.
+        value: f64,
+        /// All larger ones are accepted, up to the next.
+        least: f64,
+        /// All smaller ones are accepted.
+        most: f64,
+    },
+    /// Natural motion without the part of a spherical wrist, on an arm or a task that has none.
+    #[error("the factor `arm` leaves out the part of a spherical wrist: {reason}")]
+    NoWristFactor {
+        /// What is missing.
+        reason: &'static str,
     },
     /// A path that has no finite value or derivative somewhere.
     #[error("no finite value or derivative at path parameter {0:.6}")]
@@ -189,6 +207,48 @@ pub enum Fault {
     },
 }
 
+/// What a list has an entry for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListOf {
+    /// A number for each joint; a single number would do for all of them.
+    JointsOrAll,
+    /// A number for each joint.
+    Joints,
+    /// A range for each joint.
+    JointRanges,
+    /// A number for each face of a polytope.
+    Faces,
+    /// A number for each constraint.
+    Constraints,
+}
+
+impl ListOf {
+    fn entries(self) -> &'static str {
+        match self {
+            Self::JointRanges => "ranges",
+            Self::JointsOrAll | Self::Joints | Self::Faces | Self::Constraints => "numbers",
+        }
+    }
+
+    fn one_per(self) -> &'static str {
+        match self {
+            Self::JointsOrAll | Self::Joints | Self::JointRanges => "one per joint",
+            Self::Faces => "one per face",
+            Self::Constraints => "one per constraint",
+        }
+    }
+
+    fn remedy(self, expected: usize) -> String {
+        match self {
+            Self::JointsOrAll => format!("give {expected} numbers, or a single one for all joints"),
+            Self::Joints => format!("give {expected} numbers, one per joint"),
+            Self::JointRanges => format!("give {expected} ranges `[lower, upper]`, one per joint"),
+            Self::Faces => format!("give {expected} numbers, one for each of the normals"),
+            Self::Constraints => format!("give {expected} numbers, one per constraint"),
+        }
+    }
+}
+
 fn widths(numbers: &[usize]) -> String {
     numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(" or ")
 }
@@ -201,9 +261,7 @@ impl Fault {
             Self::NotPositive(_) => "give a number greater than zero".into(),
             Self::NotNegative(_) => "give a number less than zero".into(),
             Self::SignAt { .. } => "change the formula so that it keeps its sign along the whole path".into(),
-            Self::WrongLength { expected, .. } => {
-                format!("give {expected} numbers, or a single one for all joints")
-            }
+            Self::WrongLength { expected, list, .. } => list.remedy(*expected),
             Self::NotIncreasing { .. } => "order the numbers from small to large, each at most once".into(),
             Self::Missing(_) => "add the key; `slideway init FILE` writes a template with every key explained".into(),
             Self::Conflict(_) => "keep one of the keys".into(),
@@ -211,7 +269,12 @@ impl Fault {
             Self::JointCount(_) => {
                 "use an arm with 1 to 7 joints; of a URDF, choose a part with `base` and `tip`".into()
             }
+            Self::OutOfRange { least, most, .. } if *most >= f64::MAX => format!("give a number of at least {least}"),
             Self::OutOfRange { least, most, .. } => format!("give a number from {least} to {most}"),
+            Self::OutOfOpenRange { least, most, .. } => {
+                format!("give a number greater than {least} and less than {most}")
+            }
+            Self::NoWristFactor { .. } => "leave `natural.factor` out, or give \"determinant\"".into(),
             Self::UndefinedAt(_) => "change the formula, or the range of the path parameter".into(),
             Self::VanishingGradient { .. } => {
                 "write the constraint so that it crosses zero with a slope, for example `r - 1` instead of `(r - 1)^2`"

@@ -30,7 +30,7 @@ mod scenario;
 pub mod sweep;
 mod traced;
 
-pub use error::{Fault, LabError};
+pub use error::{Fault, LabError, ListOf};
 pub use experiment::Experiment;
 pub use formula::{FormulaError, constant};
 pub use joint_path::sampled::{PathSample, SampledPath, SampledPiece};
@@ -50,6 +50,7 @@ pub use robot::{MAX_JOINTS, robot_in};
 pub use run::controller::Demand;
 pub use run::course::{Course, CourseSample, Effort, ProfilePoint};
 pub use run::disturbances::Disturbances;
+pub use run::joint_units::JointUnits;
 pub use run::law::Method;
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use run::simulate::MAX_SAMPLES;

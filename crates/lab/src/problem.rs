@@ -241,7 +241,8 @@ fn look_ahead(table: &LookAheadTable) -> Result<LookAheadOptions, LabError> {
 /// The sampled position loop `e <- (1 - Kp Ts) e` is stable for `Kp Ts < 2` only.
 fn check_gain(key: &str, gain: f64, sampling_period: f64) -> Result<(), LabError> {
     let most = 2.0 / sampling_period;
-    if gain < most { Ok(()) } else { Err(LabError::value(key, Fault::OutOfRange { value: gain, least: 0.0, most })) }
+    let fault = Fault::OutOfOpenRange { value: gain, least: 0.0, most };
+    if gain < most { Ok(()) } else { Err(LabError::value(key, fault)) }
 }
 
 fn fixed_speed(scenario: &Scenario) -> Result<FixedSpeed, LabError> {

@@ -9,7 +9,7 @@ use crate::render::Figure;
 use crate::scale::{Axis, largest, significant, span};
 use crate::style::{LIMIT, Stroke};
 use plotters::backend::DrawingBackend;
-use slideway_lab::CourseSample;
+use slideway_lab::{CourseSample, JointUnits};
 use std::ops::Range;
 
 /// Joint speeds with their limits.
@@ -46,7 +46,7 @@ impl Figure for JointSpeedsAlongPath<'_> {
 
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
         let levels = |joint: usize| vec![self.0.speed_lower[joint], self.0.speed_upper[joint]];
-        draw(self.0, canvas, "rad/s", levels, |s, joint| s.speed[joint])
+        draw(self.0, canvas, |units| units.speed, levels, |s, joint| s.speed[joint])
     }
 }
 
@@ -78,8 +78,14 @@ impl Figure for JointTorquesAlongPath<'_> {
     }
 
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
-        draw(self.0, canvas, "N·m", |_| Vec::new(), |s, joint| s.torque.map_or(0.0, |t| t[joint]))
+        draw(self.0, canvas, |units| units.load, |_| Vec::new(), |s, joint| s.torque.map_or(0.0, |t| t[joint]))
     }
+}
+
+/// Units of a joint: all courses are of one arm.
+fn units(study: &CourseStudy, joint: usize) -> JointUnits {
+    let units = study.courses.iter().max_by_key(|c| c.course.joints).and_then(|c| c.course.units.get(joint));
+    units.copied().unwrap_or(JointUnits::TURNING)
 }
 
 fn joints(study: &CourseStudy) -> usize {
@@ -105,7 +111,7 @@ fn range(study: &CourseStudy, joint: usize, levels: &[f64], value: impl Fn(&Cour
 fn draw<DB: DrawingBackend>(
     study: &CourseStudy,
     canvas: &Canvas<DB>,
-    unit: &str,
+    unit: impl Fn(JointUnits) -> &'static str,
     levels: impl Fn(usize) -> Vec<f64>,
     value: impl Fn(&CourseSample, usize) -> f64 + Copy,
 ) -> Drawn<DB> {
@@ -114,7 +120,7 @@ fn draw<DB: DrawingBackend>(
     multiples::place(canvas, joints(study), |place, joint, bottom| {
         let x = if bottom > Frame::TICKS { x.clone() } else { x.unlabelled() };
         let levels = levels(joint);
-        let y = Axis::linear(unit, range(study, joint, &levels, value), 4);
+        let y = Axis::linear(unit(units(study, joint)), range(study, joint, &levels, value), 4);
         let title = format!("joint {}", joint + 1);
         let panel = Panel::new(place, &Frame { title: &title, bottom, ..Frame::LABELLED }, x, y)?;
         for level in levels {

@@ -1,6 +1,6 @@
 use super::expression::ExpressionConstraint;
 use super::schema::{ConstraintTable, MotionTable, ShapeTable, SideName};
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::scenario::number::Number;
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 use slideway_conditioner::shapes::{
@@ -206,7 +206,7 @@ fn polytope(
     key: &str,
 ) -> Result<Polytope<3, POLYTOPE_FACES>, LabError> {
     if normals.len() != offsets.len() {
-        let fault = Fault::WrongLength { found: offsets.len(), expected: normals.len() };
+        let fault = Fault::WrongLength { found: offsets.len(), expected: normals.len(), list: ListOf::Faces };
         return Err(LabError::value(format!("{key}.polytope.offsets"), fault));
     }
     if normals.is_empty() || normals.len() > POLYTOPE_FACES {

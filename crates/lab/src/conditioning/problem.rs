@@ -2,7 +2,7 @@ use super::constraint::NamedConstraint;
 use super::disturbances::PathDisturbances;
 use super::schema::{ConditionerTable, ConditioningFile, LawTable, MarginTable, ReferenceTable, TrapTable, WalkTable};
 use super::trace::MAX_CONSTRAINTS;
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::path::position::PositionCurve;
 use crate::path::waypoint_reader::Place;
 use crate::scenario::number::Number;
@@ -216,7 +216,7 @@ fn margin(table: &ConditionerTable, constraints: usize) -> Result<MarginChoice, 
             MarginChoice::Fixed(margins.iter().map(|m| m.0).collect())
         }
         MarginTable::Fixed(margins) => {
-            let fault = Fault::WrongLength { found: margins.len(), expected: constraints };
+            let fault = Fault::WrongLength { found: margins.len(), expected: constraints, list: ListOf::Constraints };
             return Err(LabError::value("conditioner.margin.fixed", fault));
         }
     })

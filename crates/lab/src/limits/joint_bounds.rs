@@ -1,4 +1,4 @@
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::formula::Formula;
 use crate::scenario::number::{LimitNumber, PerJointLimit};
 use std::ops::Range;
@@ -185,7 +185,9 @@ fn bounds<const N: usize>(
         .enumerate()
         .map(|(joint, number)| Bound::new(&element(key, values, joint), number))
         .collect::<Result<Vec<_>, _>>()?;
-    bounds.try_into().map_err(|_| LabError::value(key, Fault::WrongLength { found, expected: N }))
+    bounds
+        .try_into()
+        .map_err(|_| LabError::value(key, Fault::WrongLength { found, expected: N, list: ListOf::JointsOrAll }))
 }
 
 /// The key of one element of a per-joint value.

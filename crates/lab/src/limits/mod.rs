@@ -101,7 +101,7 @@ impl LinearLimit {
         let bound = limit * (0.5 * angle).cos();
         (0..pairs)
             .map(|side| {
-                let (sin, cos) = (angle * side as f64).sin_cos();
+                let (sin, cos) = side_direction(side, pairs);
                 Self {
                     kind: LimitKind::ToolAcceleration,
                     index: side,
@@ -139,6 +139,20 @@ impl LinearLimit {
         let (over, under) = (value - self.upper, self.lower - value);
         (if over >= under { over } else { under }) / self.half_range()
     }
+}
+
+/// Sine and cosine of `π side / pairs`, a side across having cosine 0 and mirrored sides the same numbers but for the sign.
+///
+/// `π / 2` is no floating-point number, and its cosine as computed is some 6e-17. A side across would then weigh the path
+/// acceleration by that much rounding, which a solver takes for a limit on it.
+#[allow(clippy::cast_precision_loss)]
+fn side_direction(side: usize, pairs: usize) -> (f64, f64) {
+    let mirrored = pairs - side;
+    if side == mirrored {
+        return (1.0, 0.0);
+    }
+    let (sin, cos) = (std::f64::consts::PI / pairs as f64 * side.min(mirrored) as f64).sin_cos();
+    (sin, if side < mirrored { cos } else { -cos })
 }
 
 /// A bound on the path rate at one point of the path: `ṡ <= rate`.
@@ -205,6 +219,20 @@ mod tests {
             // At the circle no row has room left (but for rounding); at the inscribed radius none is exceeded.
             assert!(worst(r) >= -1e-12);
             assert!(worst(r * (std::f64::consts::PI / 32.0).cos()) <= 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_side_across_does_not_depend_on_the_path_acceleration_and_mirrored_sides_are_equal() {
+        for pairs in [2, 6, 16, 33] {
+            let sides = LinearLimit::tool_acceleration([0.3, 0.0, 0.4], [0.0, 2.0, 0.0], 1.0, pairs);
+            assert_eq!((sides[0].acceleration, sides[0].square), (0.5, 0.0));
+            for side in 1..pairs {
+                let mirrored = &sides[pairs - side];
+                assert_eq!(sides[side].acceleration, -mirrored.acceleration);
+                assert_eq!(sides[side].square, mirrored.square);
+                assert_eq!(sides[side].acceleration == 0.0, 2 * side == pairs, "side {side} of {pairs}");
+            }
         }
     }
 

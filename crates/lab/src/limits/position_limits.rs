@@ -1,4 +1,4 @@
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::joint_path::{JointPath, PieceKind};
 use crate::scenario::number::Number;
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,10 @@ impl<const N: usize> PositionLimits<N> {
             return Ok(Self { ranges, source: PositionSource::Robot });
         };
         if given.len() != N {
-            return Err(LabError::value(KEY, Fault::WrongLength { found: given.len(), expected: N }));
+            return Err(LabError::value(
+                KEY,
+                Fault::WrongLength { found: given.len(), expected: N, list: ListOf::JointRanges },
+            ));
         }
         for (joint, [lower, upper]) in given.iter().enumerate() {
             if !(lower.0 < upper.0) {

@@ -6,6 +6,7 @@ use crate::error::{Fault, LabError};
 use crate::path::CartesianPath;
 use crate::problem::Problem;
 use crate::robot::MAX_JOINTS;
+use crate::run::joint_units::JointUnits;
 use crate::run::law::Method;
 use crate::run::simulate::{MAX_SAMPLES, pad};
 use crate::run::trace::{Sample, Trace};
@@ -107,8 +108,11 @@ fn rise(table: &NaturalTable) -> Result<f64, LabError> {
 
 fn share(table: &NaturalTable) -> Result<f64, LabError> {
     let share = table.share.map_or(1.0, |s| s.0);
+    if !(share > 0.0) {
+        return Err(LabError::value("natural.share", Fault::NotPositive(share)));
+    }
     let fault = Fault::OutOfRange { value: share, least: 0.0, most: 1.0 };
-    if share > 0.0 && share <= 1.0 { Ok(share) } else { Err(LabError::value("natural.share", fault)) }
+    if share <= 1.0 { Ok(share) } else { Err(LabError::value("natural.share", fault)) }
 }
 
 /// A run that takes longer than any trace can hold: it never moves.
@@ -117,6 +121,7 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
     Trace {
         method,
         joints: N,
+        units: JointUnits::of(&problem.arm),
         sampling_period: problem.fixed_speed.sampling_period,
         finish_s: None,
         arrival_s: None,

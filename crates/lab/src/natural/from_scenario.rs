@@ -5,6 +5,7 @@ use crate::path::reference::Reference;
 use crate::problem::Problem;
 use crate::robot::{describe, robot_key};
 use crate::scenario::Scenario;
+use slideway_robot::RobotError;
 use slideway_robot::augmented::SpeedFactor;
 
 impl<const N: usize> NaturalProblem<N, CartesianPath> {
@@ -30,7 +31,14 @@ impl<const N: usize> NaturalProblem<N, CartesianPath> {
             return Err(LabError::value("path.joints", Fault::Conflict("natural motion is about a path of the tool")));
         };
         let start = PathPlace { q: problem.path_start, parameter: tool.path.start() };
-        Self::new(problem.arm.clone(), tool.task, factor, tool.path.clone(), start)
-            .map_err(|error| LabError::value("robot.task", error))
+        Self::new(problem.arm.clone(), tool.task, factor, tool.path.clone(), start).map_err(pointed)
+    }
+}
+
+/// The factor asks for a wrist, all else is a matter of the task.
+fn pointed(error: RobotError) -> LabError {
+    match error {
+        RobotError::NotSphericalWrist { reason } => LabError::value("natural.factor", Fault::NoWristFactor { reason }),
+        error => LabError::value("robot.task", error),
     }
 }

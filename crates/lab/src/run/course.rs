@@ -1,4 +1,5 @@
 use crate::robot::MAX_JOINTS;
+use crate::run::joint_units::JointUnits;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -7,6 +8,8 @@ use std::ops::Range;
 pub struct Course {
     /// Number of joints; entries of the joint arrays beyond it are zero.
     pub joints: usize,
+    /// Units of the joints.
+    pub units: [JointUnits; MAX_JOINTS],
     /// Path parameter from the path's start to its end.
     pub path: Range<f64>,
     /// When a regulated method, which starts from rest, first reaches a limit, s; 0 for what starts at full speed.

@@ -1,4 +1,4 @@
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::scenario::schema::DisturbancesTable;
 use rand::{RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
@@ -101,7 +101,7 @@ impl Disturbances {
             ("speed_error", &table.speed_error),
         ];
         if let Some((key, _)) = given.into_iter().find(|(_, list)| list.as_ref().is_some_and(Vec::is_empty)) {
-            let fault = Fault::WrongLength { found: 0, expected: joints };
+            let fault = Fault::WrongLength { found: 0, expected: joints, list: ListOf::Joints };
             return Err(LabError::value(format!("disturbances.{key}"), fault));
         }
         disturbances.check(joints)?;
@@ -116,7 +116,7 @@ impl Disturbances {
             ("speed_error", &self.speed_error, MOST_SPEED_ERROR),
         ] {
             if !list.is_empty() && list.len() != joints {
-                let fault = Fault::WrongLength { found: list.len(), expected: joints };
+                let fault = Fault::WrongLength { found: list.len(), expected: joints, list: ListOf::Joints };
                 return Err(LabError::value(format!("disturbances.{key}"), fault));
             }
             for (i, value) in list.iter().enumerate() {

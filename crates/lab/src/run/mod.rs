@@ -4,6 +4,7 @@ pub(crate) mod acceleration;
 pub(crate) mod controller;
 pub(crate) mod course;
 pub(crate) mod disturbances;
+pub(crate) mod joint_units;
 pub(crate) mod law;
 pub(crate) mod metrics;
 pub(crate) mod motion;

@@ -3,6 +3,7 @@ use crate::joint_path::JointPath;
 use crate::problem::Problem;
 use crate::robot::MAX_JOINTS;
 use crate::run::course::{Course, CourseSample, ProfilePoint};
+use crate::run::joint_units::JointUnits;
 use crate::run::simulate::pad;
 use crate::run::trace::{Sample, Trace};
 use slideway_robot::{Dynamics, JointVector};
@@ -52,6 +53,7 @@ pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&
     let moments: Vec<Moment<N>> = moving.iter().map(Moment::of).collect();
     Course {
         joints: N,
+        units: JointUnits::of(&problem.arm),
         path: problem.path.start()..problem.path.end(),
         settled_s: settled.map_or(0.0, |s| s.t),
         start: moments.first().map_or([0.0; MAX_JOINTS], |m| pad(&m.q)),
@@ -82,6 +84,7 @@ pub(crate) fn course_along<const N: usize>(
     }
     Ok(Course {
         joints: N,
+        units: JointUnits::of(&problem.arm),
         path: problem.path.start()..problem.path.end(),
         settled_s: 0.0,
         start: start.unwrap_or([0.0; MAX_JOINTS]),

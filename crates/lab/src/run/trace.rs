@@ -1,4 +1,5 @@
 use crate::robot::MAX_JOINTS;
+use crate::run::joint_units::JointUnits;
 use crate::run::law::Method;
 use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
@@ -11,6 +12,8 @@ pub struct Trace {
     pub method: Method,
     /// Number of joints; entries of the joint arrays beyond it are zero.
     pub joints: usize,
+    /// Units of the joints.
+    pub units: [JointUnits; MAX_JOINTS],
     /// Sampling period that the controller counts on, s.
     pub sampling_period: f64,
     /// When the reference reached the path's end, interpolated with the last path rate, s. Exact to one sample: what is left of the path
@@ -43,13 +46,13 @@ pub struct Sample {
     pub limiting_joint: Option<usize>,
     /// Pose error `p_ref - p`, m and rad: the true one, whatever the controller saw.
     pub error: [f64; 6],
-    /// Joint position, rad: the true one.
+    /// Joint position, rad (m): the true one.
     pub q: [f64; MAX_JOINTS],
-    /// The demand `q̇d = A + f B` as the controller saw it, rad/s; `desired` differs where the path rate was cut short.
+    /// The demand `q̇d = A + f B` as the controller saw it, rad/s (m/s); `desired` differs where the path rate was cut short.
     pub split: AffineSpeed<MAX_JOINTS>,
-    /// Desired joint speed `q̇d`, rad/s.
+    /// Desired joint speed `q̇d`, rad/s (m/s).
     pub desired: [f64; MAX_JOINTS],
-    /// Commanded joint speed `q̇ds`, rad/s.
+    /// Commanded joint speed `q̇ds`, rad/s (m/s).
     pub commanded: [f64; MAX_JOINTS],
     /// Change of the desired joint speed since the sample before; `None` where it means nothing.
     pub chatter: Option<Chatter>,
@@ -103,8 +106,9 @@ impl Trace {
             ["t_s", "lambda", "lambda_rate_per_s", "f", "u", "fdir", "limit_ratio", "limiting_joint"]
                 .map(str::to_owned)
                 .to_vec();
-        for (name, unit) in [("q", "rad"), ("qd_desired", "rad_per_s"), ("qd_commanded", "rad_per_s")] {
-            columns.extend((1..=self.joints).map(|joint| format!("{name}{joint}_{unit}")));
+        for (name, per) in [("q", ""), ("qd_desired", "_per_s"), ("qd_commanded", "_per_s")] {
+            let units = self.units.iter().take(self.joints).enumerate();
+            columns.extend(units.map(|(i, unit)| format!("{name}{}_{}{per}", i + 1, unit.position)));
         }
         columns.extend(["x_m", "y_m", "z_m", "alpha_rad", "beta_rad", "gamma_rad"].map(|c| format!("error_{c}")));
         columns.extend(["measured", "bound", "estimate"].map(|c| format!("chattering_{c}")));

@@ -1,6 +1,6 @@
 //! Numbers as people type them: `0.5`, `3`, `"pi / 2"`.
 
-use crate::error::{Fault, LabError};
+use crate::error::{Fault, LabError, ListOf};
 use crate::formula;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use slideway_robot::JointVector;
@@ -122,10 +122,36 @@ impl<'de> Deserialize<'de> for PerJointLimit {
     }
 }
 
+struct ListVisitor;
+
+impl<'de> Visitor<'de> for ListVisitor {
+    type Value = Vec<Number>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of numbers, one per joint, like `[0, 0.1]`")
+    }
+
+    fn visit_seq<A: de::SeqAccess<'de>>(self, mut sequence: A) -> Result<Vec<Number>, A::Error> {
+        let mut numbers = Vec::new();
+        while let Some(number) = sequence.next_element()? {
+            numbers.push(number);
+        }
+        Ok(numbers)
+    }
+}
+
+/// Reads a list with a number per joint: unlike a limit, a single number does not stand for all of them.
+pub(crate) fn list<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<Number>>, D::Error> {
+    deserializer.deserialize_any(ListVisitor).map(Some)
+}
+
 /// A number for each joint.
 pub(crate) fn joints<const N: usize>(key: &str, numbers: &[Number]) -> Result<JointVector<N>, LabError> {
     if numbers.len() != N {
-        return Err(LabError::value(key, Fault::WrongLength { found: numbers.len(), expected: N }));
+        return Err(LabError::value(
+            key,
+            Fault::WrongLength { found: numbers.len(), expected: N, list: ListOf::Joints },
+        ));
     }
     Ok(JointVector::from_fn(|i, _| numbers[i].0))
 }

@@ -91,9 +91,11 @@ pub(crate) enum InverseTable {
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StartTable {
+    #[serde(default, deserialize_with = "super::number::list")]
     pub(crate) q: Option<Vec<Number>>,
     pub(crate) pose: Option<[Number; 6]>,
     pub(crate) branch: Option<BranchTable>,
+    #[serde(default, deserialize_with = "super::number::list")]
     pub(crate) near: Option<Vec<Number>>,
 }
 
@@ -259,9 +261,12 @@ pub(crate) enum IntegrationName {
 #[serde(deny_unknown_fields)]
 pub(crate) struct DisturbancesTable {
     pub(crate) seed: Option<u64>,
+    #[serde(default, deserialize_with = "super::number::list")]
     pub(crate) initial_error: Option<Vec<Number>>,
     pub(crate) joint_noise: Option<Number>,
+    #[serde(default, deserialize_with = "super::number::list")]
     pub(crate) joint_offset: Option<Vec<Number>>,
+    #[serde(default, deserialize_with = "super::number::list")]
     pub(crate) speed_error: Option<Vec<Number>>,
     pub(crate) delay: Option<u32>,
     pub(crate) jitter: Option<Number>,

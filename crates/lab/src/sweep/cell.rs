@@ -69,6 +69,11 @@ impl Cell {
         Ok(Self { values, subject, settings, text })
     }
 
+    /// The scenario with the settings in it.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Whether a seed changes anything.
     pub(crate) fn is_random(&self) -> bool {
         match &self.subject {

@@ -98,6 +98,11 @@ impl SweepPlan {
         &self.columns
     }
 
+    /// The scenario of every cell of the grid, as a text with the settings in it.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        self.cells.iter().map(Cell::text)
+    }
+
     /// How many runs there are.
     #[must_use]
     pub fn runs(&self) -> usize {

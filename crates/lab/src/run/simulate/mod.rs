@@ -6,6 +6,7 @@ use crate::problem::{Integration, Problem};
 use crate::robot::MAX_JOINTS;
 use crate::run::controller::Demand;
 use crate::run::disturbances::{World, displaced};
+use crate::run::joint_units::JointUnits;
 use crate::run::law::{Decision, Law, Method, Situation};
 use crate::run::trace::Trace;
 use slideway_robot::{EulerAngles, JointVector};
@@ -94,6 +95,7 @@ impl<'a, const N: usize> Run<'a, N> {
             trace: Trace {
                 method,
                 joints: N,
+                units: JointUnits::of(&problem.arm),
                 sampling_period: period,
                 finish_s: None,
                 arrival_s: None,
