@@ -103,13 +103,16 @@ fn no_chattering_is_stated_of_runs_that_the_reserve_answers() {
 fn a_start_outside_bounds_what_follows() {
     let wall = constraint("wall", 0.05, "half-space = { normal = [1, 0, 0], offset = -0.008 }");
     for (method, lines) in [
-        (PathMethod::SlidingModeImplicit, "law.normalised.amplitude = 0.1"),
-        (PathMethod::SlidingMode, "law.normalised.amplitude = 0.1\nreserve_rate = 1"),
+        (PathMethod::SlidingModeImplicit, "recovery_rate = 0.01\nlaw.normalised.amplitude = 0.1"),
+        (PathMethod::SlidingMode, "law.normalised.amplitude = 0.001\nreserve_rate = 0.01"),
     ] {
         // The reference itself begins 8 mm outside, with a velocity that leads farther out.
         let text = scenario(&wall, lines);
-        assert!(kept(&text, method, 8).is_ok(), "{method:?}");
+        kept(&text, method, 8).unwrap_or_else(|error| panic!("{method:?} {error}"));
         assert!(upper(&statement(&text, method), "phi").is_some_and(|phi| phi > 0.008));
+        // What is seen too high at first may be seen too low afterwards.
+        let noisy = format!("{text}\n[verify]\ninitial_error = 0\ndelay = 0\njitter = 0\ndistance_noise = 1e-3\n");
+        kept(&noisy, method, 30).unwrap_or_else(|error| panic!("{method:?} {error}"));
     }
 }
 

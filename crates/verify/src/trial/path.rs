@@ -78,7 +78,8 @@ impl PathSubject {
     ///
     /// Noise of at most `n` on `σ` shifts what the conditioner sees of `φ` by at most `n`: where it keeps `φ <= D̄` of what it sees, the
     /// truth keeps `D̄ + n`. For the explicit form that is so because it pushes wherever the truth exceeds `n`, and below that one sample
-    /// adds at most `D̄`. By the lag `σ` keeps what `φ` does.
+    /// adds at most `D̄`. By the lag `σ` keeps what `φ` does. From a start outside what is seen falls, but it may be seen `n` too high
+    /// at first and `n` too low afterwards: the truth keeps the start's `φ + 2n`.
     pub(crate) fn judge(
         &self,
         disturbances: &PathDisturbances,
@@ -88,11 +89,11 @@ impl PathSubject {
         let observed = self.observer.conditioning(&trace);
         let mut outside = statement.outside(&observed);
         let noise = disturbances.distance_noise;
+        let start = self.start(&trace);
         let mut allowed = statement.clone();
         for guarantee in allowed.guarantees.iter_mut().filter(|g| is_band(g)) {
-            guarantee.upper.iter_mut().for_each(|upper| *upper += noise);
+            guarantee.upper.iter_mut().for_each(|upper| *upper += if start > 0.0 { 2.0 * noise } else { noise });
         }
-        let start = self.start(&trace);
         let measured = |guarantee: &Guarantee| observed.guarantee(&guarantee.name);
         let leave = |guarantee: &Guarantee| self.loses(guarantee, disturbances, start);
         let mut checks = held_against(&allowed, &mut outside, measured, leave);
