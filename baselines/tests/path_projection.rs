@@ -107,8 +107,9 @@ fn sets_without_a_common_point_are_called_empty() {
 }
 
 fn bracket_holds(found: &Projection<3>) -> bool {
-    // 1e-12 in the squared distance is at most 1e-6 in the distance, and 1e-12 / d away from the set.
-    found.lower_bound <= found.distance + 1e-9 && found.distance - found.lower_bound <= 2e-6 && found.violation <= 1e-8
+    // 1e-12 in the squared distance is at most 1e-6 in the distance, and 1e-12 / d away from the set. Constraints are kept to 1e-7 of
+    // `1 + ‖b‖ + ‖x‖ + ‖s‖` where the solver gets no farther: below 10 for points and sets of this size; a cone's distance has a factor 2.
+    found.lower_bound <= found.distance + 1e-9 && found.distance - found.lower_bound <= 2e-6 && found.violation <= 2e-6
 }
 
 proptest! {
