@@ -5,7 +5,7 @@ mod support;
 use slideway_lab::sweep::quantile;
 use std::collections::BTreeSet;
 use std::path::Path;
-use support::{json, slideway};
+use support::{WAY_POINTS, from_files, json, slideway};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("folder")
@@ -130,29 +130,16 @@ fn another_scenario_or_other_arguments_in_the_same_folder_are_refused_with_what_
     assert!(printed.contains(&says), "{printed}");
 }
 
-/// A scenario whose arm and path come from files beside it.
-const FROM_FILES: &str = r#"
-[robot]
-urdf = "planar.urdf"
-[path.joints.spline]
-csv = "points.csv"
-[limits]
-speed = 1
-[control]
-gain = 10
-sampling_period = 1e-3
-bandwidth = 50
-target_rate = 2
-"#;
-
 #[test]
 fn rows_are_never_continued_with_another_file_that_the_scenario_or_a_setting_names() {
     let folder = folder();
     let write = |file: &str, text: &str| std::fs::write(folder.path().join(file), text).expect("written");
     let arm = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robot/tests/urdf/planar.urdf");
     let arm = std::fs::read_to_string(arm).expect("fixture");
-    let points = "q1,q2\n0,0.5\n0.2,0.7\n0.3,1.1\n0.5,1.2\n";
-    for (file, text) in [("own.toml", FROM_FILES), ("planar.urdf", &arm), ("points.csv", points), ("b.csv", points)] {
+    let (scenario, points) = (from_files("urdf = \"planar.urdf\"", "points.csv"), WAY_POINTS);
+    for (file, text) in
+        [("own.toml", scenario.as_str()), ("planar.urdf", &arm), ("points.csv", points), ("b.csv", points)]
+    {
         write(file, text);
     }
     let arguments = ["own.toml", "--grid", "path.joints.spline.csv=points.csv,b.csv", "--out", "out"];

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::command::{folder, merge, parsed, read, refused, run, same_results, verify};
 use crate::made::{guarantee, hypothesis, identity, smallest, trial, write_journal, write_shards};
+use crate::support::{WAY_POINTS, from_files};
 
 #[test]
 fn shards_that_really_ran_merge_to_the_bytes_of_one_piece() {
@@ -56,34 +57,19 @@ fn a_statement_with_a_number_that_is_none_is_the_same_in_all_shards() {
     assert_eq!(parsed(&read(folder.path(), "out/verify.json"))["hypotheses"][0]["value"], "NaN");
 }
 
-/// A planar arm on a joint path whose way-points are in a file.
-const FROM_FILE: &str = r#"
-[robot]
-model = "planar-2r"
-[path.joints.spline]
-csv = "data/points.csv"
-[limits]
-speed = 1
-[control]
-gain = 10
-sampling_period = 1e-3
-bandwidth = 50
-target_rate = 2
-"#;
-
 #[test]
 fn a_failing_case_has_the_files_it_names_beside_it_after_a_merge_too() {
     let folder = folder();
-    let points = "q1,q2\n0,0.5\n0.2,0.7\n0.3,1.1\n0.5,1.2\n";
+    let (scenario, points) = (from_files("model = \"planar-2r\"", "data/points.csv"), WAY_POINTS);
     std::fs::create_dir_all(folder.path().join("mine/data")).expect("folder");
-    std::fs::write(folder.path().join("mine/arm.toml"), FROM_FILE).expect("written");
+    std::fs::write(folder.path().join("mine/arm.toml"), &scenario).expect("written");
     std::fs::write(folder.path().join("mine/data/points.csv"), points).expect("written");
     let arguments = ["verify", "mine/arm.toml", "--trials", "3", "--out", "out"];
     let (status, printed) = run(folder.path(), &arguments);
     assert!(status == 0 || status == 1, "{printed}");
     let identity = parsed(read(folder.path(), "out/trials.jsonl").lines().next().expect("a line"));
     let mut case = smallest(2);
-    case["scenario"] = json!(FROM_FILE);
+    case["scenario"] = json!(scenario);
     write_journal(folder.path(), "out", &identity, &[trial(0), trial(1), trial(2), case]);
     assert_eq!(run(folder.path(), &arguments).0, 1);
     assert_eq!(merge(folder.path(), &["out".to_owned()], "merged").0, 1);

@@ -76,9 +76,6 @@ impl<const N: usize> ConvexSet<N> {
     }
 }
 
-/// Residual of the constraints at which an answer short of 1e-12 is still one, relative to `1 + ‖b‖ + ‖x‖ + ‖s‖`.
-const ACCEPTED: f64 = 1e-7;
-
 fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
@@ -125,8 +122,8 @@ fn solve<const N: usize>(
         tol_gap_abs: 1e-12,
         tol_gap_rel: 1e-12,
         tol_feas: 1e-12,
-        // What an answer that gets no farther must keep all the same.
-        reduced_tol_feas: ACCEPTED,
+        // What an answer that gets no farther must keep all the same, relative to `1 + ‖b‖ + ‖x‖ + ‖s‖`.
+        reduced_tol_feas: 1e-7,
         direct_solve_method: "qdldl".into(),
         ..DefaultSettings::default()
     };

@@ -18,7 +18,6 @@ use slideway_lab::conditioning::{
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn instants(problem: &ConditioningProblem) -> impl Iterator<Item = Motion<3>> + '_ {
     let duration = problem.reference.duration();
-    // The rounding of the quotient must not lose the last sample.
     let count = ((duration + CLOCK_ROUNDING) / problem.sampling_period).floor() as usize;
     (0..=count).map(move |k| {
         let t = k as f64 * problem.sampling_period;

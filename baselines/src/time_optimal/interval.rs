@@ -110,16 +110,16 @@ impl IntervalProgram {
             let (near, far) = direction.coefficients(strip);
             let inverse = far.recip();
             let slope = -near * inverse;
+            let (a, b) = (strip.lower * inverse, strip.upper * inverse);
+            let range = if a < b { [a, b] } else { [b, a] };
             // Not for numbers that are none: a row without `y` is as steep as can be.
             if slope.abs() <= STEEP && inverse.abs() < f64::INFINITY {
-                let (a, b) = (strip.lower * inverse, strip.upper * inverse);
-                self.set(offset + 1, slope, if a < b { [a, b] } else { [b, a] });
+                self.set(offset + 1, slope, range);
                 continue;
             }
             self.bound_x(strip, [near, far], y, first + offset)?;
             if slope.abs() < f64::INFINITY && inverse.abs() < f64::INFINITY {
-                let (a, b) = (strip.lower * inverse, strip.upper * inverse);
-                self.set(offset + 1, slope, Self::widened(if a < b { [a, b] } else { [b, a] }, y));
+                self.set(offset + 1, slope, Self::widened(range, y));
             }
         }
         if self.x[0] > self.x[1] {

@@ -39,7 +39,7 @@ impl<const N: usize, const F: usize> Polytope<N, F> {
     /// # Errors
     ///
     /// No face, more than `F`, or not as many offsets as normals ([`ShapeParameter::FaceCount`], with that number);
-    /// A component that is not finite, a normal of length zero, or one so short that the face's distance from the origin is
+    /// a component that is not finite, a normal of length zero, or one so short that the face's distance from the origin is
     /// not finite; a sharpness that is not positive.
     pub fn with_faces(
         normals: &[[f64; N]],

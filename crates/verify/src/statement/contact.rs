@@ -1,10 +1,8 @@
 //! What one run of the path conditioner showed beside its constraints.
 
-use super::recovery::full_push;
+use super::recovery::{full_push, margin};
 use slideway_conditioner::path::{Constraint, Motion, Reserve, bounds};
-use slideway_lab::conditioning::{
-    ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, Phase,
-};
+use slideway_lab::conditioning::{ConditionedSample, ConditionedTrace, ConditioningProblem, PathMethod, Phase};
 
 /// Suprema over the samples and constraints of a run. Lengths in m, of `φ` unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,8 +38,6 @@ struct Step {
     full: f64,
     acts: bool,
     change: f64,
-    /// Margin of the law at the sample.
-    margin: f64,
     /// `φ` plus margin: the constraint acts from 0 on.
     excess: f64,
     /// Length of what was pushed, the reserve included.
@@ -60,21 +56,15 @@ impl ContactSignals {
             fall: 0.0,
             push: 0.0,
             bulge: 0.0,
-            margin: margin(problem),
+            margin: narrowest(problem, trace),
             held: share_of(trace, |s| s.phase == Phase::Held),
             reserve: share_of(trace, |s| s.reserve != [0.0; 3]),
             start: trace.samples.first().map_or(0.0, |s| start(s, problem.constraints.len())),
         };
-        let mut narrowest = f64::INFINITY;
         for index in 0..problem.constraints.len() {
             let steps: Vec<Step> =
                 trace.samples.windows(2).map(|pair| step(problem, trace.method, index, pair)).collect();
             signals.take(problem, index, &steps);
-            // Those that do not act too: their `φ` stays below their own margins.
-            narrowest = steps.iter().map(|s| s.margin).fold(narrowest, f64::min);
-        }
-        if problem.margin == MarginChoice::Band && trace.method == PathMethod::SlidingMode && narrowest.is_finite() {
-            signals.margin = narrowest;
         }
         signals
     }
@@ -128,12 +118,10 @@ fn start(sample: &ConditionedSample, constraints: usize) -> f64 {
     both.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The margin that holds everywhere; that of the band follows the gradients.
-fn margin(problem: &ConditioningProblem) -> f64 {
-    match &problem.margin {
-        MarginChoice::Fixed(margins) => margins.iter().copied().fold(f64::INFINITY, f64::min),
-        MarginChoice::None | MarginChoice::Band => 0.0,
-    }
+/// The smallest margin anywhere, of constraints that do not act too: their `φ` stays below their own margins.
+fn narrowest(problem: &ConditioningProblem, trace: &ConditionedTrace) -> f64 {
+    let of = |index: usize| trace.samples.iter().map(move |s| margin(problem, trace.method, index, s));
+    (0..problem.constraints.len()).flat_map(of).fold(f64::INFINITY, f64::min)
 }
 
 fn step(problem: &ConditioningProblem, method: PathMethod, index: usize, pair: &[ConditionedSample]) -> Step {
@@ -150,13 +138,7 @@ fn step(problem: &ConditioningProblem, method: PathMethod, index: usize, pair: &
     let change = next.phi[index] - now.phi[index];
     let push = on(taken);
     let given = per_push * length(&gradient) * length(taken);
-    let explicit = method == PathMethod::SlidingMode;
-    let reserve = explicit && problem.reserve != Reserve::Off;
-    let margin = match &problem.margin {
-        MarginChoice::Fixed(margins) => margins[index],
-        MarginChoice::Band if explicit => full_push(problem, index, now),
-        MarginChoice::Band | MarginChoice::None => 0.0,
-    };
+    let reserve = method == PathMethod::SlidingMode && problem.reserve != Reserve::Off;
     let held = |s: &ConditionedSample| s.phase == Phase::Held;
     // A sample of a trap may be answered by the reserve as well.
     let answered = |s: &ConditionedSample| held(s) || s.reserve != [0.0; 3];
@@ -166,8 +148,7 @@ fn step(problem: &ConditioningProblem, method: PathMethod, index: usize, pair: &
         full: if reserve { full_push(problem, index, now) } else { given },
         acts: now.share[index] > 0.0,
         change,
-        margin,
-        excess: now.phi[index] + margin,
+        excess: now.phi[index] + margin(problem, method, index, now),
         given: per_push * length(&gradient) * length(&whole),
         plain: !answered(now) && !answered(next),
         served: !held(now) && !held(next),

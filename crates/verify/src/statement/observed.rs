@@ -1,7 +1,7 @@
 use super::signals::Loop;
 use super::{conditioning, speed_loop, speed_observed};
 use crate::error::VerifyError;
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, ConditioningScenario};
+use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem};
 use slideway_lab::{Experiment, Method, Scenario, Trace};
 
 /// One number that a run showed.
@@ -63,17 +63,9 @@ impl Observer {
         Self { kind: Kind::Speed(Box::new(looked)) }
     }
 
-    /// For runs of a conditioning scenario.
-    ///
-    /// # Errors
-    ///
-    /// The first value that cannot be used.
-    pub fn for_conditioning(scenario: &ConditioningScenario) -> Result<Self, VerifyError> {
-        Ok(Self::of_problem(scenario.problem()?))
-    }
-
-    /// For runs of a problem already read.
-    pub(crate) fn of_problem(problem: ConditioningProblem) -> Self {
+    /// For runs of a conditioning scenario's problem.
+    #[must_use]
+    pub fn for_conditioning(problem: ConditioningProblem) -> Self {
         Self { kind: Kind::Conditioning(Box::new(problem)) }
     }
 

@@ -38,13 +38,21 @@ pub(crate) fn excess(
 ) -> f64 {
     let implicit = method == PathMethod::SlidingModeImplicit;
     let band = if implicit { 0.0 } else { full_push(problem, index, sample) };
-    let margin_less_band = match &problem.margin {
-        MarginChoice::Fixed(margins) => margins[index] - band,
-        // The margin is the band.
-        MarginChoice::Band => 0.0,
-        MarginChoice::None => -band,
-    };
-    sample.seen_phi[index] + margin_less_band
+    sample.seen_phi[index] + (margin(problem, method, index, sample) - band)
+}
+
+/// The margin that the method adds to `φ_i` at a sample; that of the band is one full push, and the explicit form's alone.
+pub(super) fn margin(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+    index: usize,
+    sample: &ConditionedSample,
+) -> f64 {
+    match &problem.margin {
+        MarginChoice::Fixed(margins) => margins[index],
+        MarginChoice::Band if method == PathMethod::SlidingMode => full_push(problem, index, sample),
+        MarginChoice::Band | MarginChoice::None => 0.0,
+    }
 }
 
 /// `G_i`: what the longest push of one sample that the law can give takes off `φ_i`, whichever constraints act.
@@ -62,16 +70,20 @@ pub(super) fn full_push(problem: &ConditioningProblem, index: usize, sample: &Co
 }
 
 /// Counted time until no constraint is above its band any more, s. `None` for a run that starts inside every band, or farther outside than
-/// the statement is for.
+/// the statement is for, and of a form that does not promise to come back.
 #[allow(clippy::cast_precision_loss)]
 pub(crate) fn recovered(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Option<f64> {
+    recovery_rate(problem, trace.method)?;
     let above = |sample: &ConditionedSample| {
         let all = (0..problem.constraints.len()).map(|index| excess(problem, trace.method, index, sample));
         all.fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
     };
     let start = above(trace.samples.first()?);
+    if !(start > PUSH_ROUNDING && start <= farthest(problem)) {
+        return None;
+    }
     let last = trace.samples.iter().rposition(|sample| above(sample) > PUSH_ROUNDING)?;
-    (start > PUSH_ROUNDING && start <= farthest(problem)).then_some((last + 1) as f64 * problem.sampling_period)
+    Some((last + 1) as f64 * problem.sampling_period)
 }
 
 /// The largest `e_i` of a start at rest [`OUTSIDE`], m.

@@ -49,7 +49,7 @@ impl PathSubject {
         let mut statement = case.statement()?;
         let ConditioningCase { problem, trace: nominal, .. } = case;
         let subject = Self {
-            observer: Observer::of_problem(problem.clone()),
+            observer: Observer::for_conditioning(problem.clone()),
             ranges: Ranges::of_conditioning(&scenario.verify_options()?, extent(&problem)),
             // A formula may depend on time by itself.
             moving: problem.constraints.iter().any(|c| c.is_carried() || matches!(c.shape, Shape3::Formula(_))),
