@@ -3,11 +3,11 @@
 mod support;
 
 use proptest::prelude::*;
-use slideway_lab::{Experiment, Scenario};
+use slideway_scenario::Scenario;
 use support::slideway;
 
 fn template() -> String {
-    slideway_lab::TEMPLATE.to_owned()
+    slideway_scenario::TEMPLATE.to_owned()
 }
 
 /// Runs the template with one line replaced; the exit status must be 2. Returns what was printed and the line's number.
@@ -100,7 +100,7 @@ fn what_a_remedy_offers_is_accepted_where_it_is_offered() {
     let arm = "[robot]\nmodel = \"planar-2r\"\n[path.joints.line]\nfrom = [0, 1]\nto = [0, 1]\n[limits]\nspeed = 1\n";
     let control = "[control]\ngain = 10\nsampling_period = 1e-3\nbandwidth = 50\ntarget_rate = 2\n";
     let folder = tempfile::tempdir().expect("folder");
-    let line = slideway_lab::BUILT_IN.iter().find(|b| b.name == "planar-line").expect("built in").text;
+    let line = slideway_scenario::BUILT_IN.iter().find(|b| b.name == "planar-line").expect("built in").text;
     let natural = format!("{line}\n[natural]\nfactor = \"arm\"\n");
     for (name, text, says) in [
         ("still.toml", format!("{arm}{control}"), "still.toml: no optimum: piece 1 of the joint path does not move"),
@@ -150,7 +150,7 @@ fn missing_files_and_unknown_names_suggest_what_to_do() {
 #[test]
 fn a_torque_that_does_not_hold_the_arm_is_told_with_joint_place_and_what_would_do() {
     let folder = tempfile::tempdir().expect("folder");
-    let lift = slideway_lab::BUILT_IN.iter().find(|b| b.name == "ur20-lift").expect("built in").text;
+    let lift = slideway_scenario::BUILT_IN.iter().find(|b| b.name == "ur20-lift").expect("built in").text;
     let weak = lift.replace("torque = [300, 620, 260, 50, 40, 20]", "torque = [300, 200, 260, 50, 40, 20]");
     std::fs::write(folder.path().join("weak.toml"), weak).expect("written");
     let output = slideway(folder.path(), &["compare", "weak.toml"]);
@@ -188,7 +188,7 @@ proptest! {
             format!("{key}= {value:?}\n")
         } else { format!("{l}\n") }).collect();
         if let Ok(scenario) = Scenario::parse("fuzz", &spoiled.replace("NaN", "nan")) {
-            let _ = Experiment::new(&scenario);
+            let _ = scenario.experiment();
         }
     }
 }

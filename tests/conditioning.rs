@@ -106,7 +106,7 @@ fn the_conditioning_template_runs_as_it_is_and_with_a_moving_obstacle() {
     assert_eq!(init.status.code(), Some(0));
     let (status, _) = compare(folder.path(), "mine.toml");
     assert_eq!(status, 0);
-    let text = slideway_lab::CONDITIONING_TEMPLATE.replace("# motion.oscillation", "motion.oscillation");
+    let text = slideway_scenario::CONDITIONING_TEMPLATE.replace("# motion.oscillation", "motion.oscillation");
     std::fs::write(folder.path().join("moving.toml"), text).expect("written");
     let (_, moving) = compare(folder.path(), "moving.toml");
     // The implicit form keeps φ <= 0 at every sample, moving or not; σ lags behind φ.
@@ -117,7 +117,7 @@ fn the_conditioning_template_runs_as_it_is_and_with_a_moving_obstacle() {
 
 #[test]
 fn wrong_conditioning_input_names_file_line_and_remedy() {
-    let template = slideway_lab::CONDITIONING_TEMPLATE;
+    let template = slideway_scenario::CONDITIONING_TEMPLATE;
     for (from, to, says) in [
         ("rate = \"2 * pi / 5\"", "rate = 0", "not positive"),
         ("end = \"2 * pi\"", "end = -1", "does not lie after"),

@@ -1,7 +1,9 @@
 //! The same input gives the same bits: between commits, on any number of threads, in debug and in release.
 
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningScenario, PathMethod, run_conditioner};
-use slideway_lab::{BUILT_IN, BuiltIn, Experiment, Method, Scenario, ScenarioKind, Trace, in_parallel, scenario_kind};
+use slideway_lab::conditioning::{ConditionedTrace, PathMethod, run_conditioner};
+use slideway_scenario::ConditioningScenario;
+use slideway_lab::{Experiment, Method, Trace, in_parallel};
+use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::Hasher as _;
 use std::io::Write as _;
@@ -77,14 +79,13 @@ impl Run<'_> {
     /// Every method of every built-in scenario that runs online.
     fn all() -> Vec<Self> {
         let of = |built_in: &'static BuiltIn| -> Vec<Self> {
-            match scenario_kind(built_in.text) {
-                ScenarioKind::Speed => {
-                    let scenario = Scenario::parse(built_in.name, built_in.text).expect("built in");
-                    let experiment = Arc::new(Experiment::new(&scenario).expect("built in"));
+            match AnyScenario::parse(built_in.name, built_in.text).expect("built in") {
+                AnyScenario::Speed(scenario) => {
+                    let experiment = Arc::new(scenario.experiment().expect("built in"));
                     let methods = experiment.methods().into_iter();
                     methods.map(|method| Run::Speed(built_in, Arc::clone(&experiment), method)).collect()
                 }
-                ScenarioKind::Conditioning => {
+                AnyScenario::Conditioning(_) => {
                     let forms = PathMethod::ALL.into_iter().filter(|method| method.is_conditioner());
                     forms.map(|method| Run::Conditioning(built_in, method)).collect()
                 }
@@ -105,7 +106,7 @@ impl Run<'_> {
             Self::Speed(_, experiment, method) => of_speed_law(&experiment.run(*method).expect("runs")),
             Self::Conditioning(built_in, method) => {
                 let scenario = ConditioningScenario::parse(built_in.name, built_in.text).expect("built in");
-                of_conditioner(&scenario.problem().and_then(|p| run_conditioner(&p, *method)).expect("runs"))
+                of_conditioner(&run_conditioner(&scenario.problem().expect("valid"), *method).expect("runs"))
             }
         }
     }
@@ -191,7 +192,7 @@ fn every_trace_has_the_bits_of_its_golden_hash_on_any_number_of_threads() {
 #[test]
 fn a_bit_anywhere_in_a_trace_changes_its_hash() {
     let scenario = Scenario::built_in("planar-line").expect("built in").expect("parses");
-    let trace = Experiment::new(&scenario).and_then(|e| e.run(Method::SlidingMode)).expect("runs");
+    let trace = scenario.experiment().and_then(|e| e.run(Method::SlidingMode)).expect("runs");
     let mut seen = BTreeSet::from([of_speed_law(&trace)]);
     let changes: [fn(&mut Trace); 6] = [
         |t| t.finish_s = None,

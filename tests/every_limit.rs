@@ -1,7 +1,9 @@
 //! Every kind of limit that a scenario can give, against closed forms planted in simple motions.
 
 use slideway_baselines::time_optimal::{TimeOptimum, refine_optimum, time_optimum};
-use slideway_lab::{Experiment, LabError, LimitKind, Method, Scenario};
+use slideway_lab::{Experiment, Method};
+use slideway_path::LimitKind;
+use slideway_scenario::{Scenario};
 
 /// A planar two-joint arm of 1 m links whose joints go straight from `from` to `to`, with the given limits.
 fn joint_line(from: &str, to: &str, limits: &str) -> String {
@@ -22,7 +24,7 @@ fn tool_line(limits: &str) -> String {
 
 fn experiment(text: &str) -> Experiment {
     let scenario = Scenario::parse("test", text).expect("parses");
-    Experiment::new(&scenario).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    scenario.experiment().unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn optimum(text: &str) -> TimeOptimum {
@@ -143,10 +145,9 @@ fn what_a_limit_cannot_be_is_told_with_its_key() {
     ];
     for (limits, expected) in cases {
         let scenario = Scenario::parse("test", &joint_line("[0, 0]", "[1, 0]", limits)).expect("parses");
-        match Experiment::new(&scenario) {
-            Err(error @ LabError::Value { .. }) => {
-                let LabError::Value { key, .. } = &error else { unreachable!() };
-                assert_eq!(key, expected, "{limits}: {error}");
+        match scenario.experiment() {
+            Err(error) => {
+                assert_eq!(error.key(), Some(expected), "{limits}: {error}");
                 assert!(!error.remedy().is_empty());
             }
             other => panic!("{limits}: {:?}", other.map(|_| "accepted")),
@@ -159,8 +160,8 @@ fn torque_limits_need_masses() {
     let text = joint_line("[0, 0]", "[1, 0]", "speed = 1\ntorque = 1")
         .replace("model = \"planar-2r\"", "dh = [{ a = 1, alpha = 0, d = 0 }, { a = 1, alpha = 0, d = 0 }]");
     let scenario = Scenario::parse("test", &text).expect("parses");
-    let error = Experiment::new(&scenario).expect_err("no masses");
-    assert!(matches!(&error, LabError::Value { key, .. } if key == "limits.torque"), "{error}");
+    let error = scenario.experiment().expect_err("no masses");
+    assert_eq!(error.key(), Some("limits.torque"), "{error}");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Every kind of path runs from its scenario to the sampled joint path; what is wrong with way-points is pointed at.
 
-use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, locate};
+use slideway_lab::{Experiment, Method};
+use slideway_path::SampledPath;
+use slideway_scenario::{Scenario, locate};
 use std::path::Path;
 use std::process::Command;
 
@@ -35,7 +37,7 @@ fn joints(path: &str) -> String {
 
 fn experiment(text: &str) -> Experiment {
     let scenario = Scenario::parse("test", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    Experiment::new(&scenario).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    scenario.experiment().unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 const DOWN: &str = "[path.orientation]\nconstant.euler = [0, \"pi\", 0]";
@@ -170,11 +172,11 @@ fn the_range_is_that_of_the_listed_parameters_unless_given() {
 /// The key of the error, and the text of the scenario that it points at.
 fn refused(text: &str) -> (String, String, String) {
     let scenario = Scenario::parse("test", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let error = Experiment::new(&scenario).err().unwrap_or_else(|| panic!("accepted\n{text}"));
+    let error = scenario.experiment().err().unwrap_or_else(|| panic!("accepted\n{text}"));
     let span = locate(text, &error).unwrap_or_else(|| panic!("{error} points nowhere"));
-    let LabError::Value { key, .. } = &error else { panic!("{error}") };
+    let key = error.key().unwrap_or_else(|| panic!("{error}")).to_owned();
     assert!(!error.remedy().is_empty());
-    (key.clone(), error.to_string(), text[span].to_owned())
+    (key, error.to_string(), text[span].to_owned())
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Agreement with runs of an independent simulation, sample by sample. `tests/data/README.md` says where they come from.
 
-use slideway_lab::{Experiment, Method, Scenario, Trace};
+use slideway_lab::{Method, Trace};
+use slideway_scenario::Scenario;
 
 /// Columns of a reference file that are compared.
 struct Row {
@@ -20,7 +21,7 @@ fn rows(text: &str) -> Vec<Row> {
 
 fn run(scenario: &str, method: Method) -> Trace {
     let scenario = Scenario::built_in(scenario).expect("built in").expect("valid");
-    Experiment::new(&scenario).expect("valid").run(method).expect("runs")
+    scenario.experiment().expect("valid").run(method).expect("runs")
 }
 
 /// Largest differences in path parameter, joint position (up to whole turns) and error over the common samples.

@@ -1,7 +1,8 @@
 //! Table 1 and the facts of Figs. 3-9 of [G11], from the built-in scenarios.
 
 use slideway_baselines::time_optimal::time_optimum;
-use slideway_lab::{Experiment, Method, MethodSummary, Scenario};
+use slideway_lab::{Experiment, Method, MethodSummary};
+use slideway_scenario::Scenario;
 
 /// Columns of the printed table: RMS of the six coordinates, then of the norm; cases 1 to 4.
 const PRINTED: [[f64; 7]; 4] = [
@@ -17,7 +18,7 @@ fn experiment(text: &str) -> Experiment {
 
 fn built_in(name: &str) -> (String, Experiment) {
     let scenario = Scenario::built_in(name).expect("built in").expect("valid");
-    (scenario.text().to_owned(), Experiment::new(&scenario).expect("valid"))
+    (scenario.text().to_owned(), scenario.experiment().expect("valid"))
 }
 
 fn summary(experiment: &Experiment, method: Method) -> MethodSummary {
@@ -157,6 +158,6 @@ fn the_optimum_through_the_singularity_includes_the_reorientation_of_the_wrist()
     let optimum = time_optimum(&path).expect("solvable");
     assert!((optimum.duration_s - 2.0287).abs() <= 2e-4);
     let turn = path.pieces.iter().position(|p| p.is_self_motion).expect("a self-motion");
-    let only = slideway_lab::SampledPath { pieces: vec![path.pieces[turn].clone()], ..path };
+    let only = slideway_path::SampledPath { pieces: vec![path.pieces[turn].clone()], ..path };
     assert!((time_optimum(&only).expect("solvable").duration_s - 0.7675).abs() <= 2e-4);
 }

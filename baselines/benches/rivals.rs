@@ -7,7 +7,7 @@ use copp::solver::topp2_ra::{ReachSet2OptionsBuilder, Topp2ProblemBuilder, topp2
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::DMatrix;
 use slideway_baselines::time_optimal::{reachable_profile, time_optimum};
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 use std::hint::black_box;
 use support::RandomSpline;
 

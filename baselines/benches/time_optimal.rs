@@ -2,12 +2,13 @@
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use slideway_baselines::time_optimal::time_optimum;
-use slideway_lab::{Experiment, SampledPath, Scenario};
+use slideway_path::SampledPath;
+use slideway_scenario::Scenario;
 use std::hint::black_box;
 
 fn sampled(intervals: usize, acceleration: Option<f64>) -> SampledPath {
     let scenario = Scenario::built_in("puma-helix-on-path").expect("built in").expect("valid");
-    let mut path = Experiment::new(&scenario).expect("valid").sample(intervals, 0).expect("reachable");
+    let mut path = scenario.experiment().expect("valid").sample(intervals, 0).expect("reachable");
     path.acceleration = acceleration.map(|a| vec![a; path.joints]);
     path
 }

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use slideway_baselines::time_optimal::{
     GAP_TOLERANCE, PieceProgram, feasible_time, lower_bound, repair, solve_conic, time_optimum,
 };
-use slideway_lab::{PathSample, SampledPath};
+use slideway_path::{PathSample, SampledPath};
 use support::{one_piece, straight};
 
 /// A smooth random joint path `q_i(s) = Σ_j c_ij sin(j π u + φ_ij)`, `u = s / length`, sampled on a uniform grid.

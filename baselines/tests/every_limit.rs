@@ -5,7 +5,7 @@ mod support;
 use slideway_baselines::time_optimal::{
     OptimumError, TimeOptimum, needed_widening, reachable_profile, refine_optimum, time_optimum,
 };
-use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SpeedLimit};
+use slideway_path::{EndRate, LimitKind, LinearLimit, PathSample, SampledPath, SpeedLimit};
 use support::{RandomSpline, straight, violation_at_nodes};
 
 /// A straight motion of one joint with `s` in rad and a limit per node.

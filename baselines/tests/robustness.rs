@@ -4,7 +4,7 @@
 mod support;
 
 use slideway_baselines::time_optimal::{TimeOptimum, reachable_profile, time_optimum};
-use slideway_lab::{PathSample, SampledPath};
+use slideway_path::{PathSample, SampledPath};
 use support::{Spline, one_piece, violation_at_nodes};
 
 /// A motion between two points with limits per joint.

@@ -4,7 +4,7 @@ mod support;
 
 use proptest::prelude::*;
 use slideway_baselines::time_optimal::{ROW_TOLERANCE, reachable_profile, time_optimum};
-use slideway_lab::{LinearLimit, PathSample, SampledPath};
+use slideway_path::{LinearLimit, PathSample, SampledPath};
 use support::{RandomSpline, violation_at_nodes};
 
 /// Pairs of sides of the polygon, as a scenario has them.

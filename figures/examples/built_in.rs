@@ -1,8 +1,10 @@
 //! Draws the figures of every built-in scenario: `cargo run -p slideway-figures --example built_in -- <directory>`.
 
 use slideway_figures::{ConditioningStudy, Optimum, Rendered, SpeedStudy, draw_conditioning_study, draw_speed_study};
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod, run_conditioner};
-use slideway_lab::{BUILT_IN, BuiltIn, Experiment, Method, Scenario, ScenarioKind, scenario_kind};
+use slideway_lab::conditioning::{PathMethod, run_conditioner};
+use slideway_scenario::ConditioningScenario;
+use slideway_lab::{Experiment, Method};
+use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -10,9 +12,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(std::env::args().nth(1).ok_or("give a directory")?);
     for built_in in BUILT_IN {
         let dir = out.join(built_in.name);
-        let figures = match scenario_kind(built_in.text) {
-            ScenarioKind::Speed => speed(&built_in, &dir)?,
-            ScenarioKind::Conditioning => conditioning(&built_in, &dir)?,
+        let figures = match AnyScenario::parse(built_in.name, built_in.text)? {
+            AnyScenario::Speed(_) => speed(&built_in, &dir)?,
+            AnyScenario::Conditioning(_) => conditioning(&built_in, &dir)?,
         };
         for figure in figures {
             println!("{} {} B\n  {}", figure.svg_path.display(), figure.svg.len(), figure.caption);

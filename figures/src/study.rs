@@ -1,6 +1,7 @@
 use crate::error::FigureError;
 use crate::style::label;
-use slideway_lab::{JointUnits, Method, Sample, SampledPath, Trace};
+use slideway_lab::{JointUnits, Method, Sample, Trace};
+use slideway_path::SampledPath;
 
 /// What the figures of a comparison of speed laws are drawn from.
 #[derive(Clone, Copy, Debug)]

@@ -8,9 +8,8 @@ use slideway_figures::{
     Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Counterexample, FigureError, Optimum, Rendered, SpeedStudy,
     draw_chart, draw_counterexample, draw_speed_study,
 };
-use slideway_lab::{
-    BUILT_IN, Experiment, JointUnits, MAX_JOINTS, Method, Sample, Scenario, ScenarioKind, Trace, scenario_kind,
-};
+use slideway_lab::{Experiment, JointUnits, MAX_JOINTS, Method, Sample, Trace};
+use slideway_scenario::{AnyScenario, BUILT_IN, Scenario};
 use std::error::Error;
 use std::path::Path;
 
@@ -48,6 +47,7 @@ impl Material {
             traces: vec![Trace {
                 method: Method::SlidingMode,
                 joints: 1,
+                joint_names: vec!["joint1".into()],
                 units: [JointUnits::TURNING; MAX_JOINTS],
                 sampling_period: 0.01,
                 finish_s: Some(1.99),
@@ -128,7 +128,7 @@ fn the_speed_of_a_joint_that_slides_is_drawn_in_metres_per_second() -> Result<()
 
 #[test]
 fn every_figure_of_every_built_in_scenario_is_drawn() -> Result<(), Box<dyn Error>> {
-    for built_in in BUILT_IN.into_iter().filter(|b| scenario_kind(b.text) == ScenarioKind::Speed) {
+    for built_in in BUILT_IN.into_iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_)))) {
         let material = Material::of(built_in.name, &Method::UNDER_SPEED_LIMITS)?;
         let dir = tempfile::tempdir()?;
         let figures = draw_speed_study(&material.study(), dir.path())?;

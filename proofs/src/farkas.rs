@@ -14,7 +14,7 @@
 //! Dropped hypothesis: that the multipliers are at least 0. The shipped check takes negative ones for 0.
 
 use slideway_baselines::time_optimal::{OptimumError, PieceProgram};
-use slideway_lab::{EndRate, PathSample};
+use slideway_path::{EndRate, PathSample};
 
 use crate::claim::{Claim, Script, Twin, Verdict};
 use crate::engine::{About, Choices, Cost, Engine, Stop, exactly};

@@ -1,6 +1,6 @@
 //! Small random time-optimal problems, and numbers that are none.
 
-use slideway_lab::{EndRate, PathSample, SampledPath, SampledPiece};
+use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 
 use crate::engine::Choices;
 

@@ -1,4 +1,4 @@
-use slideway_lab::LimitKind;
+use slideway_path::LimitKind;
 use thiserror::Error;
 
 /// Why there is no optimum.

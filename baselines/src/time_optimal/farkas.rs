@@ -4,7 +4,7 @@ use super::interval::{Clash, Direction, Extreme, Line, Reason, bounding_side};
 use super::piece::PieceProgram;
 use super::strip::{RowSource, Side};
 use crate::outward::Outward;
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 
 /// A proof that no profile keeps the rows: multipliers `μ >= 0` whose combination `μ·A x <= μ·c` fails everywhere in the box.
 ///

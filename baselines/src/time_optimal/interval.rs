@@ -367,7 +367,7 @@ mod tests {
     use super::*;
     use crate::time_optimal::strip::RowSource;
     use proptest::prelude::*;
-    use slideway_lab::LimitKind;
+    use slideway_path::LimitKind;
 
     const SOURCE: RowSource = RowSource { kind: LimitKind::JointTorque, index: 0, sample: 0, node: 0 };
 

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! So are torques, `τ = m s̈ + c b + g`, and tool accelerations: any limit of the form `lower <= a s̈ + c b + d <= upper`, with
-//! numbers that vary along the path ([`slideway_lab::LinearLimit`]); limits on the path rate bound `b` itself. Every limit is taken at both
+//! numbers that vary along the path ([`slideway_path::LinearLimit`]); limits on the path rate bound `b` itself. Every limit is taken at both
 //! ends of every interval, with that interval's `s̈`.
 //!
 //! The path comes in smooth pieces. Unless the caller says otherwise, under speed limits alone each piece is free at its
@@ -49,7 +49,7 @@ pub use violation::Violation;
 pub use widening::needed_widening;
 
 use crate::outward::Outward;
-use slideway_lab::{SampledPath, SampledPiece};
+use slideway_path::{SampledPath, SampledPiece};
 
 /// A certified optimum.
 #[derive(Clone, Debug, PartialEq)]

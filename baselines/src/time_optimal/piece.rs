@@ -3,7 +3,7 @@ use super::error::OptimumError;
 use super::interval::{Direction, IntervalProgram};
 use super::strip::{Place, Row, RowSource, Side, Strip, SymmetricBound, power_of_two};
 use crate::outward::Outward;
-use slideway_lab::{EndRate, LimitKind, PathSample, SampledPath, SampledPiece};
+use slideway_path::{EndRate, LimitKind, PathSample, SampledPath, SampledPiece};
 
 /// The discretised problem of one piece.
 ///

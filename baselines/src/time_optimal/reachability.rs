@@ -6,7 +6,7 @@ use super::repair::feasible_time;
 use super::violation::Violation;
 use super::{ProfilePiece, profile_piece};
 use crate::outward::Outward;
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 
 /// Rows may be exceeded by this share of their limit: rounding of the line arithmetic. A profile that exceeds more is refused.
 pub const ROW_TOLERANCE: f64 = 1e-9;

@@ -3,7 +3,7 @@ use super::piece::ExtraSample;
 use super::reachability::{ReachableProfile, reach_piece};
 use super::violation::{Violation, at_samples};
 use super::{TimeOptimum, solve_piece};
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 use std::collections::BTreeSet;
 
 /// A result whose limits hold between the nodes as well.

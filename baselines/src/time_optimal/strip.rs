@@ -1,4 +1,4 @@
-use slideway_lab::{LimitKind, LinearLimit};
+use slideway_path::{LimitKind, LinearLimit};
 
 /// A limit at one point of an interval, as both of its rows:
 /// `lower <= before · x_k + after · x_{k+1} <= upper`.

@@ -1,4 +1,4 @@
-use slideway_lab::{LimitKind, PathSample, SampledPath};
+use slideway_path::{LimitKind, PathSample, SampledPath};
 
 /// By how much limits are exceeded between the nodes of the grid, as a share of the limit (of half the distance of its bounds);
 /// 0 where they hold.

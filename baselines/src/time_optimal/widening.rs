@@ -1,5 +1,5 @@
 use super::reachability::reachable_profile;
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 
 /// Widenings beyond this share of every limit's half range count as hopeless.
 const LARGEST: f64 = 1e4;

@@ -1,7 +1,7 @@
 //! Sampled paths for the tests of the offline optima.
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
-use slideway_lab::{EndRate, PathSample, SampledPath, SampledPiece};
+use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 
 /// A piece with ends by its limits.
 pub(crate) fn one_piece(nodes: Vec<PathSample>, between: Vec<Vec<PathSample>>) -> SampledPiece {

@@ -3,7 +3,7 @@ use crate::diagnostic::CliError;
 use crate::loaded::{Loaded, unknown};
 use crate::output::{Outcome, print};
 use crate::{attack, claims, compare, merge, reproduce, robot, study, sweep, tune, verify};
-use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
+use slideway_scenario::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
 use slideway_study::Study;
 use std::io::Write as _;
@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
 }
 
 fn list() -> Outcome {
-    let scenario = |b: &slideway_lab::BuiltIn| {
+    let scenario = |b: &slideway_scenario::BuiltIn| {
         (b.name, Loaded::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default())
     };
     let robot = |model: Model| (model.name(), model.summary().to_owned());

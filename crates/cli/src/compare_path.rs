@@ -7,10 +7,9 @@ use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
 use slideway_figures::{ConditioningStudy, ConvergenceStudy, draw_conditioning_study, draw_convergence};
-use slideway_lab::LabError;
-use slideway_lab::conditioning::{
-    ConditionedTrace, ConditioningProblem, ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner,
-};
+use slideway_scenario::ScenarioError;
+use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner};
+use slideway_scenario::ConditioningScenario;
 use std::path::Path;
 
 /// Runs every method on a path-conditioning scenario.
@@ -20,13 +19,13 @@ pub(crate) fn compare_conditioning(
     scenario: &ConditioningScenario,
     out: &Path,
 ) -> Result<Compared, CliError> {
-    let pointed = |error: LabError| scenario_error(error, name, Some(scenario.text().to_owned()));
+    let pointed = |error: ScenarioError| scenario_error(error, name, Some(scenario.text().to_owned()));
     let progress = progress(PathMethod::ALL.len() as u64 + 2);
     let problem = scenario.problem().map_err(pointed)?;
     let mut traces = Vec::new();
     for method in [PathMethod::SlidingMode, PathMethod::SlidingModePaper, PathMethod::SlidingModeImplicit] {
         progress.set_message(method.name());
-        traces.push(run_conditioner(&problem, method).map_err(pointed)?);
+        traces.push(run_conditioner(&problem, method).map_err(|error| pointed(error.into()))?);
         progress.inc(1);
     }
     progress.set_message(PathMethod::QpFilter.name());
@@ -43,7 +42,7 @@ pub(crate) fn compare_conditioning(
 
     let tolerance = options.tolerance.or(scenario.tolerance());
     progress.set_message("shorter sampling periods");
-    let convergence = convergence(&problem).map_err(pointed)?;
+    let convergence = convergence(&problem).map_err(|error| pointed(error.into()))?;
     progress.inc(1);
     let summary = summarise(scenario, &problem, &traces, projected.as_ref(), convergence, tolerance);
     progress.set_message("writing traces and figures");

@@ -12,7 +12,9 @@ use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widenin
 use slideway_figures::{
     LookAheadStudy, ModelErrorOfLaw, NamedCourse, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study,
 };
-use slideway_lab::{Experiment, LabError, Method, SampledPath, Scenario, Trace};
+use slideway_lab::{Experiment, Method, Trace};
+use slideway_path::{ProblemError, SampledPath};
+use slideway_scenario::Scenario;
 use std::path::Path;
 
 /// Samples between grid points at which violations are looked for.
@@ -26,9 +28,10 @@ pub(crate) fn compare_speed(
     out: &Path,
 ) -> Result<Compared, CliError> {
     let tolerance = options.tolerance.unwrap_or_else(|| scenario.tolerance());
-    let pointed = |error: LabError| scenario_error(error, name, Some(scenario.text().to_owned()));
-    let experiment = Experiment::new(scenario).map_err(pointed)?;
-    let judged = experiment.judged_method(scenario).map_err(pointed)?;
+    let text = || Some(scenario.text().to_owned());
+    let experiment = scenario.experiment().map_err(|error| scenario_error(error, name, text()))?;
+    let pointed = |error: ProblemError| scenario_error(error, name, text());
+    let judged = experiment.judged_method(scenario.judged_method()).map_err(pointed)?;
     let progress = progress(experiment.methods().len() as u64 + 2);
     let traces = run_methods(&experiment, &progress).map_err(pointed)?;
     progress.set_message("solving for the optimum");
@@ -72,7 +75,7 @@ fn no_optimum(error: OptimumError, path: &SampledPath) -> CliError {
     }
 }
 
-fn run_methods(experiment: &Experiment, progress: &ProgressBar) -> Result<Vec<Trace>, LabError> {
+fn run_methods(experiment: &Experiment, progress: &ProgressBar) -> Result<Vec<Trace>, ProblemError> {
     experiment
         .methods()
         .iter()
@@ -137,7 +140,7 @@ fn summarise(study: &Study<'_>, traces: &[Trace], solved: &Solved, tolerance: f6
         optimum_effort: None,
         scaled_limits: Vec::new(),
         model_error: Vec::new(),
-        limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
+        limit_ratio_bound: experiment.control().limit_ratio_bound(path),
         spare_joints: experiment.spare_joints(),
         position_excesses,
         disturbances: Some(experiment.disturbances().clone()).filter(|d| !d.are_none()),

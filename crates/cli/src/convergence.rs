@@ -1,7 +1,7 @@
 use serde::Serialize;
 use slideway_baselines::rivals::qp_filter_trace;
 use slideway_figures::ConvergencePoint;
-use slideway_lab::LabError;
+use slideway_path::ProblemError;
 use slideway_lab::conditioning::{ConditioningProblem, PathMethod, distances, run_conditioner};
 
 /// Distance of the sliding mode from the QP path at one sampling period.
@@ -38,7 +38,7 @@ const MOST_SAMPLES: f64 = 500_000.0;
 ///
 /// Parameters that the conditioner refuses.
 #[allow(clippy::cast_precision_loss)]
-pub(crate) fn convergence(problem: &ConditioningProblem) -> Result<Vec<Convergence>, LabError> {
+pub(crate) fn convergence(problem: &ConditioningProblem) -> Result<Vec<Convergence>, ProblemError> {
     let mut points = Vec::new();
     if problem.trap.is_some() {
         return Ok(points);

@@ -5,7 +5,8 @@ use crate::verify_error::{VerifyFailure, of_campaign};
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_figures::FigureError;
-use slideway_lab::{LabError, ThreadsError, locate};
+use slideway_lab::ThreadsError;
+use slideway_scenario::{ScenarioError, locate};
 use slideway_proofs::kept::KeptError;
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
@@ -20,7 +21,7 @@ use thiserror::Error;
 pub(crate) enum CliError {
     /// A scenario that cannot be used, with its text if there is one.
     #[error("{error}")]
-    Scenario { error: Box<LabError>, file: String, text: Option<String> },
+    Scenario { error: Box<ScenarioError>, file: String, text: Option<String> },
     /// Neither a built-in scenario nor a file.
     #[error("there is no built-in scenario and no file called `{name}`")]
     UnknownScenario { name: String, nearest: Option<&'static str> },

@@ -7,7 +7,7 @@ use crate::output::{Outcome, create, new_table, print, progress};
 use crate::report::{escape, page_head};
 use comfy_table::{Cell, CellAlignment};
 use serde::Serialize;
-use slideway_lab::{BUILT_IN, Expectation};
+use slideway_scenario::{BUILT_IN, Expectation};
 use std::path::Path;
 
 /// One scenario of the gallery.

@@ -7,7 +7,8 @@ use slideway_figures::{
     CourseLaw, CourseStudy, MeanSpeedLine, MeanSpeedStudy, ModelErrorOfLaw, ModelErrorStudy, NamedCourse, Rendered,
     draw_courses, draw_mean_speed, draw_model_error,
 };
-use slideway_lab::{Course, Experiment, LabError, Method, MethodSummary, ProfilePoint, SampledPath, Trace};
+use slideway_lab::{Course, Experiment, Method, MethodSummary, ProfilePoint, Trace};
+use slideway_path::{ProblemError, SampledPath};
 use std::path::Path;
 
 /// The laws of the figures, the largest speeds last. The published form of the sliding mode chatters: its torques would hide
@@ -60,7 +61,7 @@ pub(crate) fn asked_for(experiment: &Experiment) -> bool {
 }
 
 /// What the joints do along the optimum.
-pub(crate) fn optimum_course(experiment: &Experiment, optimum: &TimeOptimum) -> Result<Course, LabError> {
+pub(crate) fn optimum_course(experiment: &Experiment, optimum: &TimeOptimum) -> Result<Course, ProblemError> {
     let mut points = Vec::new();
     let mut begin = 0.0;
     for (piece, profile) in optimum.pieces.iter().enumerate() {
@@ -74,7 +75,7 @@ pub(crate) fn optimum_course(experiment: &Experiment, optimum: &TimeOptimum) -> 
 
 /// Runs the methods under limits from [`SHARES`] times the scenario's; nothing unless the scenario asks for the laws of `[N]`
 /// under constant speed limits alone.
-pub(crate) fn sweep_limits(experiment: &Experiment, path: &SampledPath) -> Result<Vec<ScaledLimits>, LabError> {
+pub(crate) fn sweep_limits(experiment: &Experiment, path: &SampledPath) -> Result<Vec<ScaledLimits>, ProblemError> {
     let limits_more = path.pieces.iter().any(|piece| path.limits_acceleration(piece));
     let varies = path.pieces.iter().any(|piece| piece.nodes.iter().any(|node| !node.speeds.is_empty()));
     if !asked_for(experiment) || limits_more || varies {
@@ -111,7 +112,7 @@ pub(crate) fn courses(experiment: &Experiment, traces: &[Trace], optimum: &Cours
 }
 
 /// What a wrong model costs each law that computed torque can follow; nothing where the masses are unknown.
-pub(crate) fn model_errors(experiment: &Experiment, courses: &[NamedCourse]) -> Result<Vec<ModelErrorOfLaw>, LabError> {
+pub(crate) fn model_errors(experiment: &Experiment, courses: &[NamedCourse]) -> Result<Vec<ModelErrorOfLaw>, ProblemError> {
     let longest = courses.iter().map(|c| c.course.seconds()).fold(0.0, f64::max);
     let mut errors = Vec::new();
     for NamedCourse { law, course } in courses {

@@ -1,60 +1,14 @@
 use crate::diagnostic::CliError;
-use slideway_lab::conditioning::ConditioningScenario;
-use slideway_lab::{BUILT_IN, Expectation, LabError, Scenario, ScenarioKind, scenario_kind};
+pub(crate) use slideway_scenario::AnyScenario as Loaded;
+use slideway_scenario::{BUILT_IN, Scenario, ScenarioError};
 use std::path::Path;
-
-/// A scenario of either kind.
-#[derive(Debug)]
-pub(crate) enum Loaded {
-    Speed(Box<Scenario>),
-    Conditioning(Box<ConditioningScenario>),
-}
-
-impl Loaded {
-    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, LabError> {
-        Ok(match scenario_kind(text) {
-            ScenarioKind::Speed => Self::Speed(Box::new(Scenario::parse(name, text)?)),
-            ScenarioKind::Conditioning => Self::Conditioning(Box::new(ConditioningScenario::parse(name, text)?)),
-        })
-    }
-
-    pub(crate) fn name(&self) -> &str {
-        match self {
-            Self::Speed(scenario) => scenario.name(),
-            Self::Conditioning(scenario) => scenario.name(),
-        }
-    }
-
-    /// The verdict that the scenario is expected to get.
-    pub(crate) fn expectation(&self) -> Expectation {
-        match self {
-            Self::Speed(scenario) => scenario.expectation(),
-            Self::Conditioning(scenario) => scenario.expectation(),
-        }
-    }
-
-    pub(crate) fn description(&self) -> &str {
-        match self {
-            Self::Speed(scenario) => scenario.description(),
-            Self::Conditioning(scenario) => scenario.description(),
-        }
-    }
-}
 
 /// A built-in scenario by name, else a file.
 pub(crate) fn load(name: &str) -> Result<Loaded, CliError> {
     let (stem, text) = source(name)?;
     let loaded = Loaded::parse(&stem, &text).map_err(|error| scenario_error(error, name, Some(text)))?;
-    Ok(match loaded {
-        // Files that a scenario names lie beside it.
-        Loaded::Speed(scenario) if Path::new(name).exists() => {
-            Loaded::Speed(Box::new(scenario.in_folder_of(Path::new(name))))
-        }
-        Loaded::Conditioning(scenario) if Path::new(name).exists() => {
-            Loaded::Conditioning(Box::new(scenario.in_folder_of(Path::new(name))))
-        }
-        loaded => loaded,
-    })
+    // Files that a scenario names lie beside it.
+    Ok(if Path::new(name).exists() { loaded.in_folder_of(Path::new(name)) } else { loaded })
 }
 
 /// Name and text of a scenario of either kind: built in, else a file, named by its stem.
@@ -71,8 +25,8 @@ pub(crate) fn source(name: &str) -> Result<(String, String), CliError> {
     Ok((stem, text))
 }
 
-pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Option<String>) -> CliError {
-    CliError::Scenario { error: Box::new(error), file: file.to_owned(), text }
+pub(crate) fn scenario_error(error: impl Into<ScenarioError>, file: &str, text: Option<String>) -> CliError {
+    CliError::Scenario { error: Box::new(error.into()), file: file.to_owned(), text }
 }
 
 pub(crate) fn unknown(name: &str) -> CliError {

@@ -2,7 +2,8 @@
 
 use crate::summary::{MethodEntry, OptimumEntry};
 use crate::verdict::{Judged, subject};
-use slideway_lab::{LimitKind, LimitUse, MAX_SAMPLES, Method, Trace};
+use slideway_lab::{LimitUse, MAX_SAMPLES, Method, Trace};
+use slideway_path::LimitKind;
 
 /// By how much a limit, measured from whole samples, may be exceeded before the times count as not comparable.
 pub(crate) const LIMIT_SLACK: f64 = 0.01;

@@ -4,7 +4,8 @@ use crate::report::{Page, escape};
 use crate::table::short;
 use comfy_table::{Cell, CellAlignment};
 use slideway_figures::Rendered;
-use slideway_lab::conditioning::{ConditioningScenario, PathMethodSummary};
+use slideway_lab::conditioning::PathMethodSummary;
+use slideway_scenario::ConditioningScenario;
 
 /// Column titles with their cells: one definition for the terminal and the report.
 type Column = (&'static str, fn(&PathMethodSummary) -> String);

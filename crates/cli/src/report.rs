@@ -3,7 +3,7 @@ use crate::summary::{MethodEntry, Summary};
 use crate::table::short;
 use crate::windows::WindowEntry;
 use slideway_figures::Rendered;
-use slideway_lab::Scenario;
+use slideway_scenario::Scenario;
 
 /// Styles of the report: readable on a phone, in light and in dark.
 const STYLE: &str = include_str!("report.css");

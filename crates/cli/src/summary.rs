@@ -5,9 +5,8 @@ use serde::Serialize;
 use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
-use slideway_lab::{
-    Disturbances, Effort, Experiment, LabError, LimitKind, LimitUse, MethodSummary, PositionExcess, SampledPath, Trace,
-};
+use slideway_lab::{Disturbances, Effort, Experiment, LimitUse, MethodSummary, Trace};
+use slideway_path::{LimitKind, PositionExcess, ProblemError, SampledPath};
 
 /// What `summary.json` holds. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -77,7 +76,7 @@ pub(crate) struct Uses {
 }
 
 impl Uses {
-    pub(crate) fn new(experiment: &Experiment, trace: &Trace) -> Result<Self, LabError> {
+    pub(crate) fn new(experiment: &Experiment, trace: &Trace) -> Result<Self, ProblemError> {
         Ok(Self { command_use: experiment.command_use(trace)?, limit_use: experiment.limit_use(trace) })
     }
 }

@@ -8,7 +8,7 @@ use crate::sweep_error::SweepFailure;
 use crate::sweep_journal::{self, Opened, write_csv};
 use crate::{sweep_table, verify_files};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
-use slideway_lab::sweep::{
+use slideway_scenario::sweep::{
     Axis, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
 };
 use std::fs;

@@ -1,6 +1,6 @@
 use miette::NamedSource;
-use slideway_lab::locate;
-use slideway_lab::sweep::SweepError;
+use slideway_scenario::locate;
+use slideway_scenario::sweep::SweepError;
 use std::ops::Range;
 use thiserror::Error;
 

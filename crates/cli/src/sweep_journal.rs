@@ -4,7 +4,7 @@ use crate::diagnostic::CliError;
 use crate::journal::{Difference, Identity, Journal};
 use crate::verify_files::{self, NamedFiles};
 use serde::{Deserialize, Serialize};
-use slideway_lab::sweep::{SweepPlan, SweepRow, shown};
+use slideway_scenario::sweep::{SweepPlan, SweepRow, shown};
 use std::path::Path;
 
 /// Everything that the rows depend on.

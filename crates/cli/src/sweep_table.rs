@@ -1,7 +1,7 @@
 use crate::output::new_table;
 use crate::table::short;
 use comfy_table::{Cell, CellAlignment, Table};
-use slideway_lab::sweep::{Statistics, SweepPlan, SweepSummary, SweepTotals, shown};
+use slideway_scenario::sweep::{Statistics, SweepPlan, SweepSummary, SweepTotals, shown};
 
 /// Columns of the rows that a grid's table shows, where they exist.
 const GRID_COLUMNS: [&str; 5] = ["duration_s", "escape_s", "mean_deviation_m", "rms_error_norm", "limit_ratio_peak"];

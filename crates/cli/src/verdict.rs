@@ -2,9 +2,8 @@ use crate::obstacle::{LIMIT_SLACK, obstacle, reached_a_limit};
 use crate::summary::{MethodEntry, OptimumEntry, excess_in_words};
 use crate::table::short;
 use serde::Serialize;
-use slideway_lab::{
-    ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Disturbances, Method, PositionExcess, PositionSource, Trace,
-};
+use slideway_lab::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Disturbances, Method, Trace};
+use slideway_path::{PositionExcess, PositionSource};
 
 /// Whether the sliding mode matches the optimum.
 #[derive(Clone, Debug, Serialize)]

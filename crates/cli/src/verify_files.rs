@@ -3,7 +3,7 @@
 use crate::diagnostic::CliError;
 use crate::journal::{Difference, Thing};
 use crate::loaded::scenario_error;
-use slideway_lab::LabError;
+use slideway_scenario::ScenarioError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -19,7 +19,7 @@ pub(crate) type NamedFiles = BTreeMap<String, String>;
 pub(crate) fn read(text: &str, file: &str) -> Result<NamedFiles, CliError> {
     let one = |name: String| {
         let path = beside(file, &name);
-        let bytes = fs::read(&path).map_err(|source| scenario_error(LabError::Read { path, source }, file, None))?;
+        let bytes = fs::read(&path).map_err(|source| scenario_error(ScenarioError::Read { path, source }, file, None))?;
         Ok((name, String::from_utf8_lossy(&bytes).into_owned()))
     };
     names([text]).into_iter().map(one).collect()

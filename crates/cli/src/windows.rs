@@ -1,7 +1,8 @@
 use crate::summary::OptimumEntry;
 use serde::Serialize;
 use slideway_figures::LookAheadPoint;
-use slideway_lab::{Experiment, LabError, LookAheadOptions, Method, MethodSummary};
+use slideway_lab::{Experiment, LookAheadOptions, Method, MethodSummary};
+use slideway_path::ProblemError;
 
 /// The look-ahead with a window of one length.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -32,7 +33,7 @@ const INTERVALS: f64 = 400.0;
 ///
 /// Parameters that the conditioner refuses.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-pub(crate) fn windows(experiment: &Experiment, optimum: &OptimumEntry) -> Result<Vec<WindowEntry>, LabError> {
+pub(crate) fn windows(experiment: &Experiment, optimum: &OptimumEntry) -> Result<Vec<WindowEntry>, ProblemError> {
     if !experiment.methods().contains(&Method::AccelerationLookAhead) {
         return Ok(Vec::new());
     }

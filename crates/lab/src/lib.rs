@@ -1,61 +1,52 @@
-//! From a scenario file to traces and metrics: one problem, one loop, every speed law.
+//! From a problem to traces and metrics: one problem, one loop, every speed law; path conditioning and natural motion beside it.
+//!
+//! A problem is a path with its limits and a controller; no file is needed:
 //!
 //! ```
-//! use slideway_lab::{Experiment, Method, Scenario};
+//! use slideway_conditioner::SpeedLimits;
+//! use slideway_lab::{ControlSettings, Experiment, LookAheadOptions, Method, Problem};
+//! use slideway_path::{JointCurve, PathProblem, Reference};
+//! use slideway_robot::models::Model;
 //!
-//! let scenario = Scenario::built_in("puma-helix-on-path").expect("built in")?;
-//! let experiment = Experiment::new(&scenario)?;
+//! let (from, to) = ([0.0, 0.5].into(), [1.0, 0.9].into());
+//! let reference = Reference::Joint(JointCurve::line(from, to, 0.0..1.0));
+//! let arm = Model::Planar2R.describe()?.arm()?;
+//! let path = PathProblem::new(arm, reference, from, SpeedLimits::new([-1.0, -1.0], [1.0, 1.0])?);
+//! let control = ControlSettings {
+//!     gain: 10.0,
+//!     sampling_period: 1e-3,
+//!     bandwidth: 20.0,
+//!     target_rate: 2.0,
+//!     max_duration: None,
+//!     look_ahead: LookAheadOptions::default(),
+//! };
+//! let experiment = Experiment::try_from(Problem::new(path, control))?;
 //! let trace = experiment.run(Method::SlidingModeImplicit)?;
 //! assert!(trace.finish_s.is_some());
-//! # Ok::<(), slideway_lab::LabError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod conditioning;
-pub mod curve;
-mod error;
+mod disturbances;
 mod experiment;
-mod formula;
-mod jet;
-mod joint_path;
-mod limits;
+mod joints;
+mod method;
 pub mod natural;
 mod parallel;
-mod path;
-mod powers;
 mod problem;
 mod published;
-mod robot;
 mod run;
-mod scenario;
-pub mod sweep;
-mod traced;
 
-pub use error::{Fault, LabError, ListOf};
+pub use disturbances::{Disturbances, MOST_DELAY, MOST_JITTER, MOST_NOISE, MOST_SPEED_ERROR};
 pub use experiment::Experiment;
-pub use formula::{FormulaError, constant};
-pub use joint_path::sampled::{PathSample, SampledPath, SampledPiece};
-pub use joint_path::{JointPath, JointPoint, Piece, PieceKind};
-pub use limits::dynamic_limits::{ToolLimits, TorqueLimits};
-pub use limits::joint_bounds::{JointBounds, JointRange};
-pub use limits::limit_use::LimitUse;
-pub use limits::position_limits::{PositionExcess, PositionLimits, PositionSource};
-pub use limits::{EndRate, LimitKind, LinearLimit, SpeedLimit};
+pub use joints::{JointUnits, MAX_JOINTS};
+pub use method::Method;
 pub use parallel::{ThreadsError, in_parallel};
-pub use path::joint_curve::JointCurve;
-pub use path::reference::{Reference, ToolReference};
-pub use path::{CartesianPath, EulerPoint, PathPoint};
-pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Problem};
+pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, NaturalSettings, Problem};
 pub use published::{Agreement, Published};
-pub use robot::{MAX_JOINTS, robot_in};
 pub use run::controller::Demand;
 pub use run::course::{Course, CourseSample, Effort, ProfilePoint};
-pub use run::disturbances::Disturbances;
-pub use run::joint_units::JointUnits;
-pub use run::law::Method;
+pub use run::limit_use::LimitUse;
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use run::simulate::MAX_SAMPLES;
 pub use run::trace::{Chatter, Sample, Trace};
-pub use scenario::verify_options::VerifyOptions;
-pub use scenario::{
-    BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, Expectation, Scenario, ScenarioKind, TEMPLATE, locate, scenario_kind,
-};

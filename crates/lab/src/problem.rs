@@ -1,55 +1,29 @@
-use crate::error::{Fault, LabError};
-use crate::joint_path::placement::Placement;
-use crate::limits::EndRate;
-use crate::limits::dynamic_limits::{ToolLimits, TorqueLimits};
-use crate::limits::joint_bounds::JointBounds;
-use crate::limits::limit_reader::LimitReader;
-use crate::limits::position_limits::PositionLimits;
-use crate::path::CartesianPath;
-use crate::path::joint_curve::JointCurve;
-use crate::path::reference::{Reference, ToolReference};
-use crate::robot::robot_key;
-use crate::run::disturbances::Disturbances;
-use crate::scenario::Scenario;
-use crate::scenario::number::positive;
-use crate::scenario::schema::{ControlTable, IntegrationName, InverseTable, LookAheadTable, TaskName};
-use slideway_conditioner::{ParameterError, SpeedLimits};
-use slideway_robot::{EulerAngles, InverseMethod, JointVector, RobotDescription, RobotError, SerialArm, Task};
+use crate::disturbances::Disturbances;
+use slideway_conditioner::{ParameterError, bounds};
+use slideway_path::{Fault, ListOf, PathProblem, ProblemError, Reference, SampledPath};
+use slideway_robot::augmented::SpeedFactor;
+use slideway_robot::{Dynamics, EulerAngles, JointVector, euler};
 
-/// A robot, a path and limits: everything the loop and the optimum need, validated.
+/// A path to follow with its limits, a controller and a start: everything that the loop needs.
 #[derive(Clone, Debug)]
 pub struct Problem<const N: usize> {
-    /// The arm.
-    pub arm: SerialArm<N>,
-    /// What the robot is to follow.
-    pub path: Reference<N>,
-    /// Joint-speed limits, rad/s (m/s for joints that slide); where they vary along the path, the widest they get.
-    pub speed_limits: SpeedLimits<N>,
-    /// Joint-speed limits along the path, where they vary.
-    pub speed_along: Option<JointBounds<N>>,
-    /// Joint-acceleration limits, rad/s² (m/s²).
-    pub acceleration_limits: Option<JointBounds<N>>,
-    /// Torque limits of the drives, with the robot's dynamics.
-    pub torque_limits: Option<TorqueLimits<N>>,
-    /// Limits of the tool.
-    pub tool_limits: ToolLimits,
-    /// How far the joints may go: reported, not enforced.
-    pub position_limits: PositionLimits<N>,
-    /// Path rate at the path's first point.
-    pub start_rate: EndRate,
-    /// Path rate at its last point.
-    pub end_rate: EndRate,
+    /// The arm, the path and the limits.
+    pub path: PathProblem<N>,
+    /// Names of the joints, from base to tip.
+    pub joint_names: Vec<String>,
+    /// The rigid bodies, where the robot's masses are known.
+    pub dynamics: Option<Dynamics<N>>,
     /// Controller and regulator.
     pub control: ControlSettings,
     /// The fixed-speed methods.
     pub fixed_speed: FixedSpeed,
-    /// Where the robot stands at `t = 0`.
+    /// Constant speed and natural motion beside the other methods.
+    pub natural: Option<NaturalSettings>,
+    /// Configuration of the robot at `t = 0`, rad (m).
     pub start: JointVector<N>,
     /// Euler triple of the tool there, nearest to the path's.
     pub start_euler: EulerAngles,
-    /// The configuration on the path's first point, on the same branch.
-    pub path_start: JointVector<N>,
-    /// What the controller does not know of.
+    /// Disturbances that the controller does not know of.
     pub disturbances: Disturbances,
 }
 
@@ -70,7 +44,7 @@ pub struct ControlSettings {
     pub look_ahead: LookAheadOptions,
 }
 
-/// What the look-ahead sees of the path.
+/// The look-ahead's window on the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LookAheadOptions {
     /// How far it sees in the path parameter; by default a quarter of the path.
@@ -101,164 +75,167 @@ pub enum Integration {
     Rk4,
 }
 
+/// Parameters of constant speed and natural motion (`[N]`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NaturalSettings {
+    /// Factor that natural motion's speed is proportional to.
+    pub factor: SpeedFactor,
+    /// Share of the speed limits that both methods use, above 0, at most 1.
+    pub share: f64,
+    /// Length of the start and of the stop, s.
+    pub rise: f64,
+}
+
 impl ControlSettings {
     /// The filter step `a = af Ts`.
     #[must_use]
     pub fn filter_step(&self) -> f64 {
         self.bandwidth * self.sampling_period
     }
-}
 
-impl<const N: usize> Problem<N> {
-    /// Makes a problem from a scenario and its robot, an arm of `N` joints.
+    /// Refuses what cannot be run.
     ///
     /// # Errors
     ///
-    /// The first value that cannot be used, with its key.
-    pub(crate) fn new(scenario: &Scenario, robot: &RobotDescription) -> Result<Self, LabError> {
-        scenario.check_options()?;
-        let file = &scenario.file;
-        let arm = robot.arm().map_err(|error| LabError::value(robot_key(&file.robot), error))?;
-        let path: Reference<N> = reference(scenario)?;
-        let limits = LimitReader { table: &file.limits, robot, path: path.start()..path.end() };
-        let speed = limits.speed::<N>()?;
-        let mut problem = Self {
-            arm,
-            path,
-            speed_limits: limits.widest_speed(&speed)?,
-            speed_along: speed.vary().then_some(speed),
-            acceleration_limits: limits.acceleration()?,
-            torque_limits: limits.torque()?,
-            tool_limits: limits.tool()?,
-            position_limits: PositionLimits::new(file.limits.position.as_ref(), robot)?,
-            start_rate: limits.end_rate("limits.start_rate", file.limits.start_rate)?,
-            end_rate: limits.end_rate("limits.end_rate", file.limits.end_rate)?,
-            control: control(&file.control)?,
-            fixed_speed: fixed_speed(scenario)?,
-            start: JointVector::zeros(),
-            start_euler: EulerAngles::zeros(),
-            path_start: JointVector::zeros(),
-            disturbances: Disturbances::read(&file.disturbances, N)?,
-        };
-        Placement { problem: &mut problem, scenario }.place()?;
-        Ok(problem)
-    }
-}
-
-/// The path and, for one of the tool, how the controller follows it.
-fn reference<const N: usize>(scenario: &Scenario) -> Result<Reference<N>, LabError> {
-    let file = &scenario.file;
-    if let Some(joints) = &file.path.joints {
-        let shared = [
-            ("path.position", file.path.position.is_some()),
-            ("path.orientation", file.path.orientation.is_some()),
-            ("path.poses", file.path.poses.is_some()),
-        ];
-        if let Some((key, _)) = shared.into_iter().find(|(_, given)| *given) {
-            let fault = Fault::Conflict("a path of the joints (`path.joints`) leaves nothing for the tool to say");
-            return Err(LabError::value(key, fault));
+    /// The first value that cannot be used, with its key: numbers that are not positive, a filter step above 1, a gain at which
+    /// the sampled position loop is not stable.
+    pub fn check(&self) -> Result<(), ProblemError> {
+        positive("control.gain", self.gain)?;
+        positive("control.sampling_period", self.sampling_period)?;
+        positive("control.bandwidth", self.bandwidth)?;
+        positive("control.target_rate", self.target_rate)?;
+        self.max_duration.map_or(Ok(()), |d| positive("control.max_duration", d))?;
+        self.look_ahead.check()?;
+        let step = self.filter_step();
+        if step > 1.0 {
+            return Err(ProblemError::value("control.bandwidth", ParameterError::FilterStep { step }));
         }
-        return Ok(Reference::Joint(JointCurve::new(&file.path, joints, scenario.folder())?));
+        check_gain("control.gain", self.gain, self.sampling_period)
     }
-    let missing = Fault::Missing("a path of the tool needs an inverse, for example `[robot.inverse.adjugate]`");
-    let table = file.robot.inverse.as_ref().ok_or_else(|| LabError::value("robot.inverse", missing))?;
-    let tool = ToolReference {
-        path: CartesianPath::new(&file.path, file.robot.task, scenario.folder())?,
-        task: task(file.robot.task),
-        inverse: inverse(table),
-    };
-    let validated = tool.inverse.validate(tool.task, N);
-    validated.map_err(|error| LabError::value(inverse_key(table, &error), error))?;
-    let rows = tool.task.rows().len();
-    if rows > N {
-        let fault = Fault::OutOfRange { value: rows as f64, least: 1.0, most: N as f64 };
-        return Err(LabError::value("robot.task", fault));
-    }
-    Ok(Reference::Tool(tool))
-}
 
-fn task(name: TaskName) -> Task {
-    match name {
-        TaskName::Pose => Task::Pose,
-        TaskName::Position => Task::Position,
-        TaskName::PlanarPosition => Task::PlanarPosition,
-        TaskName::PlanarPose => Task::PlanarPose,
+    /// Bound on the largest use of a speed limit by the explicit sliding mode, without tracking error (claim
+    /// `drifting-band`); `None` where the reaching condition fails or the path has a corner or a self-motion.
+    ///
+    /// With `g = λ̇d · slowness`: `L = sup |d ln g / dλ|` and `λ̇*max = max 1 / slowness`, both from the samples, hence as good
+    /// as the grid is fine.
+    #[must_use]
+    pub fn limit_ratio_bound(&self, path: &SampledPath) -> Option<f64> {
+        let [piece] = path.pieces.as_slice() else { return None };
+        let samples: Vec<(f64, f64)> = piece.in_order().iter().map(|p| (p.s, path.slowness(p))).collect();
+        let slope = |w: &[(f64, f64)]| ((w[1].1 / w[0].1).ln() / (w[1].0 - w[0].0)).abs();
+        let steepest = samples.windows(2).map(slope).fold(0.0, f64::max);
+        let slowest = samples.iter().map(|s| s.1).fold(f64::INFINITY, f64::min);
+        let slowness = samples.iter().map(|s| s.1).fold(0.0, f64::max);
+        let drift = steepest * self.sampling_period / slowest;
+        bounds::drifting_band(self.filter_step(), self.target_rate * slowness, drift)
     }
-}
-
-fn inverse(table: &InverseTable) -> InverseMethod {
-    match table {
-        InverseTable::Adjugate { epsilon } => InverseMethod::Adjugate { epsilon: epsilon.0 },
-        InverseTable::DampedLeastSquares { damping } => InverseMethod::DampedLeastSquares { damping: damping.0 },
-        InverseTable::TruncatedSvd { cutoff } => InverseMethod::TruncatedSvd { cutoff: cutoff.0 },
-    }
-}
-
-/// The key that an inverse's error is about.
-fn inverse_key(table: &InverseTable, error: &RobotError) -> &'static str {
-    match (table, error) {
-        (InverseTable::Adjugate { .. }, RobotError::NotPositive { .. }) => "robot.inverse.adjugate.epsilon",
-        (InverseTable::DampedLeastSquares { .. }, _) => "robot.inverse.damped-least-squares.damping",
-        (InverseTable::TruncatedSvd { .. }, _) => "robot.inverse.truncated-svd.cutoff",
-        _ => "robot.inverse",
-    }
-}
-
-fn control(table: &ControlTable) -> Result<ControlSettings, LabError> {
-    let settings = ControlSettings {
-        gain: positive("control.gain", table.gain)?,
-        sampling_period: positive("control.sampling_period", table.sampling_period)?,
-        bandwidth: positive("control.bandwidth", table.bandwidth)?,
-        target_rate: positive("control.target_rate", table.target_rate)?,
-        max_duration: table.max_duration.map(|d| positive("control.max_duration", d)).transpose()?,
-        look_ahead: look_ahead(&table.look_ahead)?,
-    };
-    let step = settings.filter_step();
-    if step > 1.0 {
-        return Err(LabError::value("control.bandwidth", ParameterError::FilterStep { step }));
-    }
-    check_gain("control.gain", settings.gain, settings.sampling_period)?;
-    Ok(settings)
 }
 
 /// More nodes than this in a window would take longer than a sample.
 const MOST_NODES: u32 = 10_000;
 
-fn look_ahead(table: &LookAheadTable) -> Result<LookAheadOptions, LabError> {
-    let nodes = table.nodes.unwrap_or(64);
-    if !(1..=MOST_NODES).contains(&nodes) {
-        let fault = Fault::OutOfRange { value: nodes.into(), least: 1.0, most: MOST_NODES.into() };
-        return Err(LabError::value("control.look_ahead.nodes", fault));
+impl Default for LookAheadOptions {
+    fn default() -> Self {
+        Self { distance: None, nodes: 64, margin: 0.05 }
     }
-    let margin = table.margin.map_or(0.05, |m| m.0);
-    if !(0.0..1.0).contains(&margin) {
-        return Err(LabError::value("control.look_ahead.margin", ParameterError::AccelerationMargin(margin)));
+}
+
+impl LookAheadOptions {
+    fn check(&self) -> Result<(), ProblemError> {
+        if !(1..=MOST_NODES).contains(&self.nodes) {
+            let fault = Fault::OutOfRange { value: self.nodes.into(), least: 1.0, most: MOST_NODES.into() };
+            return Err(ProblemError::value("control.look_ahead.nodes", fault));
+        }
+        if !(0.0..1.0).contains(&self.margin) {
+            let error = ParameterError::AccelerationMargin(self.margin);
+            return Err(ProblemError::value("control.look_ahead.margin", error));
+        }
+        self.distance.map_or(Ok(()), |d| positive("control.look_ahead.distance", d))
     }
-    let distance = table.distance.map(|d| positive("control.look_ahead.distance", d)).transpose()?;
-    Ok(LookAheadOptions { distance, nodes, margin })
+}
+
+impl FixedSpeed {
+    /// Refuses what cannot be run with a position-error gain in 1/s.
+    ///
+    /// # Errors
+    ///
+    /// The first value that cannot be used, with its key.
+    pub fn check(&self, gain: f64) -> Result<(), ProblemError> {
+        positive("fixed_speed.sampling_period", self.sampling_period)?;
+        check_gain("fixed_speed.sampling_period", gain, self.sampling_period)?;
+        self.rate.map_or(Ok(()), |rate| positive("fixed_speed.rate", rate))
+    }
+}
+
+impl NaturalSettings {
+    /// Refuses what cannot be run.
+    ///
+    /// # Errors
+    ///
+    /// A rise that is negative or not finite; a share outside (0, 1].
+    pub fn check(&self) -> Result<(), ProblemError> {
+        let Self { rise, share, .. } = *self;
+        if !(rise >= 0.0 && rise.is_finite()) {
+            let fault = Fault::OutOfRange { value: rise, least: 0.0, most: f64::MAX };
+            return Err(ProblemError::value("natural.rise", fault));
+        }
+        positive("natural.share", share)?;
+        let fault = Fault::OutOfRange { value: share, least: 0.0, most: 1.0 };
+        if share <= 1.0 { Ok(()) } else { Err(ProblemError::value("natural.share", fault)) }
+    }
+}
+
+impl<const N: usize> Problem<N> {
+    /// The robot on the path's first point, joints named `joint1` and on, nothing disturbed; fixed speeds with the controller's
+    /// sampling period. Other starts, fixed speeds, natural motion, masses and disturbances are fields to be set.
+    #[must_use]
+    pub fn new(path: PathProblem<N>, control: ControlSettings) -> Self {
+        let wanted = match &path.reference {
+            Reference::Tool(tool) => tool.path.at(tool.path.start()).euler.map(|e| e.angles),
+            Reference::Joint(_) => None,
+        };
+        let start = path.start;
+        Self {
+            start_euler: euler::nearest(&path.arm.forward(&start).rotation, &wanted.unwrap_or_default()),
+            joint_names: (1..=N).map(|i| format!("joint{i}")).collect(),
+            dynamics: None,
+            fixed_speed: FixedSpeed {
+                rate: None,
+                sampling_period: control.sampling_period,
+                integration: Integration::Euler,
+            },
+            natural: None,
+            start,
+            disturbances: Disturbances::default(),
+            path,
+            control,
+        }
+    }
+
+    /// Refuses what cannot be run.
+    ///
+    /// # Errors
+    ///
+    /// The first value that cannot be used, with its key.
+    pub fn check(&self) -> Result<(), ProblemError> {
+        let found = self.joint_names.len();
+        if found != N {
+            let fault = Fault::WrongLength { found, expected: N, list: ListOf::Joints };
+            return Err(ProblemError::value("joint_names", fault));
+        }
+        self.control.check()?;
+        self.fixed_speed.check(self.control.gain)?;
+        self.disturbances.check(N)
+    }
+}
+
+fn positive(key: &str, value: f64) -> Result<(), ProblemError> {
+    if value > 0.0 { Ok(()) } else { Err(ProblemError::value(key, Fault::NotPositive(value))) }
 }
 
 /// The sampled position loop `e <- (1 - Kp Ts) e` is stable for `Kp Ts < 2` only.
-fn check_gain(key: &str, gain: f64, sampling_period: f64) -> Result<(), LabError> {
+fn check_gain(key: &str, gain: f64, sampling_period: f64) -> Result<(), ProblemError> {
     let most = 2.0 / sampling_period;
     let fault = Fault::OutOfOpenRange { value: gain, least: 0.0, most };
-    if gain < most { Ok(()) } else { Err(LabError::value(key, fault)) }
-}
-
-fn fixed_speed(scenario: &Scenario) -> Result<FixedSpeed, LabError> {
-    let table = &scenario.file.fixed_speed;
-    let control = &scenario.file.control;
-    let period = match table.sampling_period {
-        Some(period) => positive("fixed_speed.sampling_period", period)?,
-        None => control.sampling_period.0,
-    };
-    check_gain("fixed_speed.sampling_period", control.gain.0, period)?;
-    Ok(FixedSpeed {
-        rate: table.rate.map(|r| positive("fixed_speed.rate", r)).transpose()?,
-        sampling_period: period,
-        integration: match table.integration {
-            IntegrationName::Euler => Integration::Euler,
-            IntegrationName::Rk4 => Integration::Rk4,
-        },
-    })
+    if gain < most { Ok(()) } else { Err(ProblemError::value(key, fault)) }
 }

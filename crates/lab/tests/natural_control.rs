@@ -1,6 +1,6 @@
 //! Closed loops around natural motion and constant speed, with right and wrong models.
 
-use slideway_lab::LabError;
+use slideway_path::ProblemError;
 use slideway_lab::natural::{
     Circle, ControlRun, Controller, NaturalProblem, PathPlace, Ramp, Run, SpeedLaw, TrackingError, limb_problem,
     pa10_problem,
@@ -19,7 +19,7 @@ fn problem() -> NaturalProblem<2, Circle> {
 const INVERSE: InverseMethod = InverseMethod::Adjugate { epsilon: 1e-6 };
 
 /// Two runs around of 17 s, poles at -10 1/s twice.
-fn limb_loop(law: SpeedLaw, mass_errors: [f64; 2]) -> Result<Vec<TrackingError<2>>, LabError> {
+fn limb_loop(law: SpeedLaw, mass_errors: [f64; 2]) -> Result<Vec<TrackingError<2>>, ProblemError> {
     let problem = problem();
     let arm = problem.dynamics().expect("masses");
     let model = Box::new(arm.with_mass_errors(&mass_errors).expect("ten per cent"));
@@ -37,7 +37,7 @@ fn peak_torque(samples: &[TrackingError<2>]) -> f64 {
 }
 
 #[test]
-fn with_the_right_model_the_loop_keeps_the_path_and_its_torque_is_that_of_the_flow() -> Result<(), LabError> {
+fn with_the_right_model_the_loop_keeps_the_path_and_its_torque_is_that_of_the_flow() -> Result<(), ProblemError> {
     for law in [NATURAL, CONSTANT] {
         let samples = limb_loop(law, [0.0; 2])?;
         // Runge-Kutta with 2 ms, acceleration's fastest change some 10 rad/s: (0.02)⁴ / 120 a step, 17 s: below 1e-7 m.
@@ -50,7 +50,7 @@ fn with_the_right_model_the_loop_keeps_the_path_and_its_torque_is_that_of_the_fl
 }
 
 #[test]
-fn links_misjudged_by_ten_per_cent_each_its_own_way_leave_natural_motion_nearer_to_the_path() -> Result<(), LabError> {
+fn links_misjudged_by_ten_per_cent_each_its_own_way_leave_natural_motion_nearer_to_the_path() -> Result<(), ProblemError> {
     for errors in [[0.1, -0.1], [-0.1, 0.1]] {
         let natural = limb_loop(NATURAL, errors)?;
         let constant = limb_loop(CONSTANT, errors)?;
@@ -65,7 +65,7 @@ fn links_misjudged_by_ten_per_cent_each_its_own_way_leave_natural_motion_nearer_
 
 #[test]
 fn links_misjudged_by_the_same_ten_per_cent_leave_constant_speed_as_near_to_the_path_but_not_its_torque()
--> Result<(), LabError> {
+-> Result<(), ProblemError> {
     for errors in [[0.1; 2], [-0.1; 2]] {
         let natural = limb_loop(NATURAL, errors)?;
         let constant = limb_loop(CONSTANT, errors)?;
@@ -77,7 +77,7 @@ fn links_misjudged_by_the_same_ten_per_cent_leave_constant_speed_as_near_to_the_
 }
 
 #[test]
-fn inverse_jacobian_controller_draws_the_pa10_onto_its_path_and_keeps_it() -> Result<(), LabError> {
+fn inverse_jacobian_controller_draws_the_pa10_onto_its_path_and_keeps_it() -> Result<(), ProblemError> {
     let inverse = InverseMethod::Adjugate { epsilon: 1e-9 };
     let run = Run { law: SpeedLaw::Natural { b: 1.361 }, ramp: Ramp::new(2.0, 20.0)?, steps: 2000 };
     let controller = Controller::InverseJacobian { gain: 5.0 };
@@ -89,7 +89,7 @@ fn inverse_jacobian_controller_draws_the_pa10_onto_its_path_and_keeps_it() -> Re
 }
 
 #[test]
-fn resolved_acceleration_without_masses_is_an_error() -> Result<(), LabError> {
+fn resolved_acceleration_without_masses_is_an_error() -> Result<(), ProblemError> {
     let problem = problem();
     let model = Box::new(problem.dynamics().expect("masses").clone());
     let start = PathPlace { q: problem.start().q, parameter: problem.start().parameter };

@@ -3,7 +3,8 @@
 use slideway_lab::natural::{
     NaturalMetrics, Ramp, Run, SpeedLaw, TABLE_1_INTERVAL, limb_case, limb_problem, pa10_problem, table_1, table_2,
 };
-use slideway_lab::{Agreement, LabError, Published};
+use slideway_lab::{Agreement, Published};
+use slideway_path::ProblemError;
 use std::f64::consts::PI;
 
 /// Values with four digits, the last of which may be off by one: up to a thousandth. What is asked for is 0.3 %.
@@ -13,7 +14,7 @@ fn close(found: f64, wanted: f64, share: f64) -> bool {
     (found - wanted).abs() <= share * wanted.abs()
 }
 
-fn assert_case(law: SpeedLaw, distance: f64, speed: f64, torque: f64) -> Result<(), LabError> {
+fn assert_case(law: SpeedLaw, distance: f64, speed: f64, torque: f64) -> Result<(), ProblemError> {
     let found = limb_case(law)?;
     assert!(close(found.distance, distance, FOUR_DIGITS), "{law:?}: {found:?}");
     assert!(close(found.peak_joint_speed, speed, FOUR_DIGITS), "{law:?}: {found:?}");
@@ -23,14 +24,14 @@ fn assert_case(law: SpeedLaw, distance: f64, speed: f64, torque: f64) -> Result<
 }
 
 #[test]
-fn table_1_natural_motion_is_that_of_the_independent_simulation() -> Result<(), LabError> {
+fn table_1_natural_motion_is_that_of_the_independent_simulation() -> Result<(), ProblemError> {
     assert_case(SpeedLaw::Natural { b: 1.2 }, 8.856, 0.8400, 0.7346)?;
     assert_case(SpeedLaw::Natural { b: 4.14 }, 30.429, 2.898, 8.743)?;
     assert_case(SpeedLaw::Natural { b: 3.2264 }, 24.723, 2.2585, 5.310)
 }
 
 #[test]
-fn table_1_constant_speed_is_that_of_the_independent_simulation() -> Result<(), LabError> {
+fn table_1_constant_speed_is_that_of_the_independent_simulation() -> Result<(), ProblemError> {
     assert_case(SpeedLaw::Constant { path_speed: 0.85 }, 10.115, 3.159, 6.309)?;
     assert_case(SpeedLaw::Constant { path_speed: 0.78 }, 9.282, 2.899, 5.312)?;
     assert_case(SpeedLaw::Constant { path_speed: 2.0798 }, 24.750, 7.730, 37.77)
@@ -41,7 +42,7 @@ fn row<'a>(rows: &'a [Published], case: &str, quantity: &str) -> &'a Published {
 }
 
 #[test]
-fn table_1_agrees_with_the_paper_where_the_paper_agrees_with_itself() -> Result<(), LabError> {
+fn table_1_agrees_with_the_paper_where_the_paper_agrees_with_itself() -> Result<(), ProblemError> {
     let rows = table_1()?;
     // Three digits are printed: half of the last one is up to 0.7 % (0.73 N·m).
     for case in ["NM-1", "NM-2", "NM-3", "CS-2"] {
@@ -57,7 +58,7 @@ fn table_1_agrees_with_the_paper_where_the_paper_agrees_with_itself() -> Result<
 }
 
 #[test]
-fn table_2_agrees_with_the_independent_simulation() -> Result<(), LabError> {
+fn table_2_agrees_with_the_independent_simulation() -> Result<(), ProblemError> {
     let rows = table_2()?;
     let ours = |case, quantity| row(&rows, case, quantity).ours.expect("computed");
     assert!(close(ours("NM-1", "peak joint speed"), 0.2681, 0.002));
@@ -72,7 +73,7 @@ fn table_2_agrees_with_the_independent_simulation() -> Result<(), LabError> {
 }
 
 #[test]
-fn closest_distance_of_the_wrist_to_the_base_axis_is_that_of_the_independent_simulation() -> Result<(), LabError> {
+fn closest_distance_of_the_wrist_to_the_base_axis_is_that_of_the_independent_simulation() -> Result<(), ProblemError> {
     let problem = pa10_problem().expect("built in");
     let wrist = |q| problem.arm().frames(q).origins[4].xy().norm();
     let survey = problem.survey(3.0 * PI)?;
@@ -88,7 +89,7 @@ fn closest_distance_of_the_wrist_to_the_base_axis_is_that_of_the_independent_sim
 }
 
 #[test]
-fn cycles_under_equal_peak_joint_speed_take_what_the_independent_simulation_takes() -> Result<(), LabError> {
+fn cycles_under_equal_peak_joint_speed_take_what_the_independent_simulation_takes() -> Result<(), ProblemError> {
     let limb = limb_problem().expect("built in").survey(2.0 / 3.0 * PI + 2.0 * PI)?;
     let pa10 = pa10_problem().expect("built in").survey(3.0 * PI)?;
     let natural = |b: f64, duration: f64| duration / b;
@@ -99,13 +100,13 @@ fn cycles_under_equal_peak_joint_speed_take_what_the_independent_simulation_take
     Ok(())
 }
 
-fn limb_metrics(b: f64, interval: f64, rise: f64) -> Result<NaturalMetrics, LabError> {
+fn limb_metrics(b: f64, interval: f64, rise: f64) -> Result<NaturalMetrics, ProblemError> {
     let run = Run { law: SpeedLaw::Natural { b }, ramp: Ramp::new(rise, interval)?, steps: 4000 };
     Ok(limb_problem().expect("built in").follow(&run)?.metrics())
 }
 
 #[test]
-fn b_from_a_peak_is_the_largest_that_keeps_it() -> Result<(), LabError> {
+fn b_from_a_peak_is_the_largest_that_keeps_it() -> Result<(), ProblemError> {
     let problem = limb_problem().expect("built in");
     let survey = problem.survey(2.0 / 3.0 * PI + 2.0 * PI)?;
     // Peaks between samples 2 ms apart are missed by less than 1e-5 of them.
@@ -121,7 +122,7 @@ fn b_from_a_peak_is_the_largest_that_keeps_it() -> Result<(), LabError> {
 
 #[test]
 fn twice_b_runs_the_same_way_in_half_the_time_with_four_times_the_torque_and_eight_times_the_power()
--> Result<(), LabError> {
+-> Result<(), ProblemError> {
     let once = limb_metrics(1.2, TABLE_1_INTERVAL, 0.0)?;
     let twice = limb_metrics(2.4, 0.5 * TABLE_1_INTERVAL, 0.0)?;
     // The same steps in augmented joint space: equal to rounding, which 4000 steps accumulate.
@@ -134,7 +135,7 @@ fn twice_b_runs_the_same_way_in_half_the_time_with_four_times_the_torque_and_eig
 }
 
 #[test]
-fn ramp_starts_and_ends_at_rest_and_costs_its_length() -> Result<(), LabError> {
+fn ramp_starts_and_ends_at_rest_and_costs_its_length() -> Result<(), ProblemError> {
     let run = Run { law: SpeedLaw::Constant { path_speed: 0.5 }, ramp: Ramp::new(2.0, 10.0)?, steps: 2000 };
     let trace = limb_problem().expect("built in").follow(&run)?;
     for end in [trace.samples.first(), trace.samples.last()] {
@@ -149,7 +150,7 @@ fn ramp_starts_and_ends_at_rest_and_costs_its_length() -> Result<(), LabError> {
 }
 
 #[test]
-fn every_row_that_agreed_with_the_paper_still_does() -> Result<(), LabError> {
+fn every_row_that_agreed_with_the_paper_still_does() -> Result<(), ProblemError> {
     for row in table_1()?.into_iter().chain(table_2()?) {
         assert!(!row.is_lost(), "{row:?}");
         assert!(row.agreement() == row.expected, "says something else than it is: {row:?}");

@@ -5,8 +5,10 @@ use crate::trial::path::PathSubject;
 use crate::trial::smallest::smallest;
 use crate::trial::speed::SpeedSubject;
 use crate::trial::{Judgement, Trial};
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod};
-use slideway_lab::{LabError, Method, Scenario, ScenarioKind, VerifyOptions, scenario_kind};
+use slideway_lab::conditioning::PathMethod;
+use slideway_scenario::ConditioningScenario;
+use slideway_lab::Method;
+use slideway_scenario::{AnyScenario, Scenario, ScenarioError, VerifyOptions};
 use std::path::PathBuf;
 use toml::{Table, Value};
 
@@ -48,10 +50,7 @@ enum Subject {
 ///
 /// A text that is no scenario, or a greatest disturbance that no scenario may have.
 pub fn verify_options(name: &str, text: &str) -> Result<VerifyOptions, VerifyError> {
-    Ok(match scenario_kind(text) {
-        ScenarioKind::Speed => Scenario::parse(name, text)?.verify_options()?,
-        ScenarioKind::Conditioning => ConditioningScenario::parse(name, text)?.verify_options()?,
-    })
+    Ok(AnyScenario::parse(name, text)?.verify_options()?)
 }
 
 impl Campaign {
@@ -63,9 +62,14 @@ impl Campaign {
     ///
     /// A scenario that cannot be used, a method that there is not.
     pub fn new(request: CampaignRequest) -> Result<Self, VerifyError> {
-        let (subject, statement) = match scenario_kind(&request.text) {
-            ScenarioKind::Speed => speed(&request)?,
-            ScenarioKind::Conditioning => conditioning(&request)?,
+        let scenario = AnyScenario::parse(&request.name, &request.text)?;
+        let scenario = match &request.file {
+            Some(file) => scenario.in_folder_of(file),
+            None => scenario,
+        };
+        let (subject, statement) = match scenario {
+            AnyScenario::Speed(scenario) => speed(&scenario, request.method.as_deref())?,
+            AnyScenario::Conditioning(scenario) => conditioning(&scenario, request.method.as_deref())?,
         };
         Ok(Self { request, statement, subject })
     }
@@ -123,7 +127,7 @@ impl Campaign {
     ///
     /// The scenario's text cannot carry the table.
     pub fn scenario_of(&self, trial: &Trial) -> Result<String, VerifyError> {
-        let unreadable = |message: String| LabError::Syntax { message, span: None };
+        let unreadable = |message: String| ScenarioError::Syntax { message, span: None };
         let mut document: Table = self.request.text.parse().map_err(|e: toml::de::Error| unreadable(e.to_string()))?;
         document.remove("disturbances");
         if !trial.disturbances.is_empty() {
@@ -171,30 +175,22 @@ impl Campaign {
     }
 }
 
-fn speed(request: &CampaignRequest) -> Result<(Subject, Statement), VerifyError> {
-    let scenario = Scenario::parse(&request.name, &request.text)?;
-    let scenario = match &request.file {
-        Some(file) => scenario.in_folder_of(file),
-        None => scenario,
-    };
+fn speed(scenario: &Scenario, method: Option<&str>) -> Result<(Subject, Statement), VerifyError> {
     let unknown = |name: &str| VerifyError::unknown_method(name, Method::ALL.map(Method::name).to_vec());
     let known = |name: &str| Method::ALL.into_iter().find(|m| m.name() == name).ok_or_else(|| unknown(name));
-    let method = request.method.as_deref().map(known).transpose()?;
-    let (subject, statement) = SpeedSubject::new(&scenario, method)?;
+    let (subject, statement) = SpeedSubject::new(scenario, method.map(known).transpose()?)?;
     Ok((Subject::Speed(Box::new(subject)), statement))
 }
 
-fn conditioning(request: &CampaignRequest) -> Result<(Subject, Statement), VerifyError> {
-    let scenario = ConditioningScenario::parse(&request.name, &request.text)?;
-    let scenario = match &request.file {
-        Some(file) => scenario.in_folder_of(file),
-        None => scenario,
-    };
+fn conditioning(
+    scenario: &ConditioningScenario,
+    method: Option<&str>,
+) -> Result<(Subject, Statement), VerifyError> {
     let forms = || PathMethod::ALL.into_iter().filter(|m| m.is_conditioner());
     let unknown = |name: &str| VerifyError::unknown_method(name, forms().map(PathMethod::name).collect());
     let known = |name: &str| forms().find(|m| m.name() == name).ok_or_else(|| unknown(name));
-    let method = request.method.as_deref().map_or(Ok(PathMethod::SlidingMode), known)?;
-    let (subject, statement) = PathSubject::new(&scenario, method)?;
+    let method = method.map_or(Ok(PathMethod::SlidingMode), known)?;
+    let (subject, statement) = PathSubject::new(scenario, method)?;
     Ok((Subject::Path(Box::new(subject)), statement))
 }
 
@@ -213,7 +209,8 @@ fn names_files(value: &Value) -> bool {
 mod tests {
     use super::*;
     use slideway_lab::conditioning::run_conditioner;
-    use slideway_lab::{BUILT_IN, Experiment, MethodSummary};
+    use slideway_lab::MethodSummary;
+    use slideway_scenario::BUILT_IN;
 
     fn campaign(name: &str, method: &str) -> Campaign {
         let text = BUILT_IN.iter().find(|b| b.name == name).expect("built in").text.to_owned();
@@ -249,8 +246,8 @@ mod tests {
 
         let text = campaign.scenario_of(&smallest).expect("writes");
         let scenario = Scenario::parse("failing", &text).expect("parses");
-        let experiment = Experiment::new(&scenario).expect("valid");
-        let judged = experiment.judged_method(&scenario).expect("a method");
+        let experiment = scenario.experiment().expect("valid");
+        let judged = experiment.judged_method(scenario.judged_method()).expect("a method");
         let trace = experiment.run(judged).expect("runs");
         let found = MethodSummary::new(&trace).chattering.expect("chatters").measured;
         assert!(found > bound && smallest.checks.iter().any(|check| check.measured == found), "{found} {bound}");
@@ -286,7 +283,7 @@ mod tests {
                 let judged = subject.run(&campaign.draw(number).for_speed()).expect("runs");
                 let text = campaign.scenario_of(&campaign.trial(number).expect("runs")).expect("writes");
                 let scenario = Scenario::parse("again", &text).expect("parses");
-                let again = Experiment::new(&scenario).expect("valid").run(subject.method()).expect("runs");
+                let again = scenario.experiment().expect("valid").run(subject.method()).expect("runs");
                 assert_eq!(format!("{judged:?}"), format!("{again:?}"), "{text}");
             }
         }

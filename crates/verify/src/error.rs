@@ -1,12 +1,13 @@
 use slideway_baselines::time_optimal::OptimumError;
-use slideway_lab::LabError;
+use slideway_path::ProblemError;
+use slideway_scenario::ScenarioError;
 
 /// Why a scenario cannot be verified.
 #[derive(Debug, thiserror::Error)]
 pub enum VerifyError {
     /// The scenario cannot be used.
     #[error(transparent)]
-    Scenario(#[from] LabError),
+    Scenario(#[from] ScenarioError),
     /// The path has no optimum.
     #[error(transparent)]
     Optimum(#[from] OptimumError),
@@ -49,6 +50,12 @@ pub enum VerifyError {
         /// How many there are, counted from 0.
         trials: u64,
     },
+}
+
+impl From<ProblemError> for VerifyError {
+    fn from(error: ProblemError) -> Self {
+        Self::Scenario(error.into())
+    }
 }
 
 impl VerifyError {

@@ -1,7 +1,8 @@
 //! What is stated of a path conditioner holds in runs and trials of scenarios of any kind, or it is not stated.
 
 use proptest::prelude::*;
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod};
+use slideway_lab::conditioning::PathMethod;
+use slideway_scenario::ConditioningScenario;
 use slideway_verify::{Campaign, CampaignRequest, Statement, TuneOutcome, TuneRequest, tune};
 
 /// A reference that swings through the origin, the constraints, and lines of the table `[conditioner]`.

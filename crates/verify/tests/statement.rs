@@ -1,9 +1,11 @@
 //! What a statement says contains what a run shows, and says something.
 
 use proptest::prelude::*;
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod};
-use slideway_lab::sweep::Setting;
-use slideway_lab::{BUILT_IN, Experiment, Method, Scenario, ScenarioKind, scenario_kind};
+use slideway_lab::conditioning::PathMethod;
+use slideway_scenario::ConditioningScenario;
+use slideway_scenario::sweep::Setting;
+use slideway_lab::Method;
+use slideway_scenario::{AnyScenario, BUILT_IN, Scenario};
 use slideway_verify::{Guarantee, Observer, Statement};
 use std::error::Error;
 
@@ -45,7 +47,7 @@ fn contains_what_it_measured(name: &str, statement: &Statement) {
 }
 
 fn runs_inside_its_bounds_in_every_form(wanted: impl Fn(&str) -> bool) -> Outcome {
-    let speed = |b: &&slideway_lab::BuiltIn| scenario_kind(b.text) == ScenarioKind::Speed && wanted(b.name);
+    let speed = |b: &&slideway_scenario::BuiltIn| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_))) && wanted(b.name);
     for b in BUILT_IN.iter().filter(speed) {
         let scenario = Scenario::parse(b.name, b.text)?;
         contains_what_it_measured(b.name, &Statement::for_speed(&scenario, None)?);
@@ -77,7 +79,7 @@ fn every_other_speed_scenario_runs_inside_its_bounds() -> Outcome {
 
 #[test]
 fn every_built_in_conditioning_scenario_runs_inside_its_bounds() -> Outcome {
-    for b in BUILT_IN.iter().filter(|b| scenario_kind(b.text) == ScenarioKind::Conditioning) {
+    for b in BUILT_IN.iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Conditioning(_)))) {
         let scenario = ConditioningScenario::parse(b.name, b.text)?;
         for method in [PathMethod::SlidingMode, PathMethod::SlidingModeImplicit] {
             let statement = Statement::for_conditioning(&scenario, Some(method))?;
@@ -173,7 +175,7 @@ fn from_outside_a_conditioner_is_back_in_the_stated_time_and_uses_it() -> Outcom
 #[test]
 fn an_observer_reads_from_a_run_what_the_statement_says_was_measured() -> Outcome {
     let scenario = built_in("puma-helix")?;
-    let experiment = Experiment::new(&scenario)?;
+    let experiment = scenario.experiment()?;
     for method in FORMS {
         let statement = Statement::for_speed(&scenario, Some(method))?;
         let seen = Observer::for_speed(&scenario, &experiment, method)?.speed(&experiment.run(method)?);

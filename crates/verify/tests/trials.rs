@@ -1,7 +1,7 @@
 //! Trials of a campaign: what they depend on, and what holds in every one of them.
 
 use rayon::prelude::*;
-use slideway_lab::BUILT_IN;
+use slideway_scenario::BUILT_IN;
 use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError, verify_options};
 
 fn request(name: &str, method: &str) -> CampaignRequest {

@@ -1,7 +1,7 @@
 //! What is proposed satisfies what was asked for; what is offered instead would have done.
 
-use slideway_lab::conditioning::ConditioningScenario;
-use slideway_lab::{BUILT_IN, Scenario};
+use slideway_scenario::ConditioningScenario;
+use slideway_scenario::{BUILT_IN, Scenario};
 use slideway_verify::{Impossible, MARGIN, Statement, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
 use std::error::Error;
 

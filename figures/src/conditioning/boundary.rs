@@ -171,8 +171,8 @@ fn walk(next: &mut BTreeMap<Side, Vec<Side>>, side: Side) -> Vec<Side> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slideway_lab::BUILT_IN;
-    use slideway_lab::conditioning::ConditioningScenario;
+    use slideway_scenario::BUILT_IN;
+    use slideway_scenario::ConditioningScenario;
     use std::error::Error;
 
     fn problem(name: &str) -> Result<ConditioningProblem, Box<dyn Error>> {

@@ -1,5 +1,5 @@
 use slideway_baselines::time_optimal::{OptimumError, PieceProgram};
-use slideway_lab::{EndRate, PathSample};
+use slideway_path::{EndRate, PathSample};
 use slideway_proofs::farkas::CLAIM;
 use slideway_proofs::random_program::path_of;
 

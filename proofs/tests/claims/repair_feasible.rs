@@ -1,5 +1,5 @@
 use slideway_baselines::time_optimal::{OptimumError, PieceProgram, repair};
-use slideway_lab::{EndRate, LimitKind, LinearLimit, PathSample};
+use slideway_path::{EndRate, LimitKind, LinearLimit, PathSample};
 use slideway_proofs::random_program::path_of;
 use slideway_proofs::repair_feasible::CLAIM;
 

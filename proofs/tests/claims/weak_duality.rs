@@ -1,5 +1,5 @@
 use slideway_baselines::time_optimal::{PieceProgram, feasible_time, lower_bound};
-use slideway_lab::{EndRate, PathSample};
+use slideway_path::{EndRate, PathSample};
 use slideway_proofs::random_program::path_of;
 use slideway_proofs::weak_duality::CLAIM;
 

@@ -1,13 +1,16 @@
 //! What the figures of `[G12]`'s examples 9.1 to 9.4 say in numbers.
 
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod, PathMethodSummary, run_conditioner};
-use slideway_lab::{Agreement, BUILT_IN, Fault, LabError, Published};
+use slideway_lab::conditioning::{PathMethod, PathMethodSummary, run_conditioner};
+use slideway_scenario::ConditioningScenario;
+use slideway_lab::{Agreement, Published};
+use slideway_path::Fault;
+use slideway_scenario::{BUILT_IN, ScenarioError};
 
 const HALF_A_SECOND: &str = "read as about half a second: to 0.1 s";
 const SAFE_WALK: &str =
     "with the safe walk; the paper's own walk breaks the constraint of 9.4 in 5 to 10 % of the seeds";
 
-pub(super) fn rows() -> Result<Vec<Published>, LabError> {
+pub(super) fn rows() -> Result<Vec<Published>, ScenarioError> {
     let mut rows = Vec::new();
     let helix = summary("helix-plane-sphere")?;
     rows.push(row("[G12] Fig. 4", "9.1", "both constraints active", "s", 0.5, helix.all_active_s, 0.1, HALF_A_SECOND));
@@ -32,8 +35,8 @@ fn is_kept(summary: &PathMethodSummary) -> bool {
     summary.max_sigma_m.iter().all(|sigma| *sigma <= 0.0)
 }
 
-fn summary(name: &str) -> Result<PathMethodSummary, LabError> {
-    let missing = || LabError::value("scenario", Fault::Missing("no built-in scenario of that name"));
+fn summary(name: &str) -> Result<PathMethodSummary, ScenarioError> {
+    let missing = || ScenarioError::value("scenario", Fault::Missing("no built-in scenario of that name"));
     let text = BUILT_IN.iter().find(|b| b.name == name).ok_or_else(missing)?.text;
     let problem = ConditioningScenario::parse(name, text)?.problem()?;
     let trace = run_conditioner(&problem, PathMethod::SlidingMode)?;

@@ -16,7 +16,8 @@ use crate::table::short;
 use comfy_table::{CellAlignment, Table};
 use serde::Serialize;
 use slideway_lab::natural::{table_1, table_2};
-use slideway_lab::{Agreement, LabError, Published};
+use slideway_lab::{Agreement, Published};
+use slideway_scenario::ScenarioError;
 use std::path::Path;
 
 /// What `--json` prints.
@@ -72,7 +73,7 @@ pub(crate) fn run(arguments: &ReproduceArguments) -> Result<Outcome, CliError> {
 }
 
 /// An error in a built-in scenario has no file to point at.
-fn built_in(error: LabError) -> CliError {
+fn built_in(error: ScenarioError) -> CliError {
     CliError::Scenario { error: Box::new(error), file: "built in".into(), text: None }
 }
 
@@ -88,10 +89,10 @@ impl Source {
         }
     }
 
-    fn rows(self) -> Result<Vec<Published>, LabError> {
+    fn rows(self) -> Result<Vec<Published>, ScenarioError> {
         match self {
-            Self::Table1 => table_1(),
-            Self::Table2 => table_2(),
+            Self::Table1 => Ok(table_1()?),
+            Self::Table2 => Ok(table_2()?),
             Self::SpeedTable1 => speed_table::rows(),
             Self::Figures => {
                 let mut rows = speed_facts::rows()?;

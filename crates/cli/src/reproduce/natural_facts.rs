@@ -3,14 +3,15 @@
 use slideway_lab::natural::{
     ControlRun, Controller, Ramp, Run, SpeedLaw, TABLE_1_INTERVAL, limb_problem, pa10_problem,
 };
-use slideway_lab::{Agreement, LabError, Published};
+use slideway_lab::{Agreement, Published};
+use slideway_path::ProblemError;
 use slideway_robot::InverseMethod;
 use std::f64::consts::PI;
 
 const GAINS: &str = "links misjudged by +10 % and -10 %, poles at -10 1/s: the paper prints neither its gains nor the errors' \
 signs, the ratio depends on the signs";
 
-pub(super) fn rows() -> Result<Vec<Published>, LabError> {
+pub(super) fn rows() -> Result<Vec<Published>, ProblemError> {
     Ok(vec![
         Published {
             source: "[N] section III B",
@@ -40,16 +41,16 @@ pub(super) fn rows() -> Result<Vec<Published>, LabError> {
 }
 
 /// Of the wrist, over a cycle, m.
-fn closest_distance() -> Result<f64, LabError> {
-    let problem = pa10_problem().map_err(|error| LabError::value("robot", error))?;
+fn closest_distance() -> Result<f64, ProblemError> {
+    let problem = pa10_problem().map_err(|error| ProblemError::value("robot", error))?;
     let survey = problem.survey(3.0 * PI)?;
     let distance = |q| problem.arm().frames(q).origins[4].xy().norm();
     Ok(survey.points.iter().map(|p| distance(&p.place.q)).fold(f64::INFINITY, f64::min))
 }
 
 /// Largest distance from the path under resolved acceleration with a wrong model, m.
-fn peak_error(law: SpeedLaw) -> Result<f64, LabError> {
-    let robot = |error| LabError::value("robot", error);
+fn peak_error(law: SpeedLaw) -> Result<f64, ProblemError> {
+    let robot = |error| ProblemError::value("robot", error);
     let problem = limb_problem().map_err(robot)?;
     let run = Run { law, ramp: Ramp::new(0.0, TABLE_1_INTERVAL)?, steps: 8500 };
     let Some(arm) = problem.dynamics() else { return Ok(f64::NAN) };

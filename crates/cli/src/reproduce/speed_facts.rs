@@ -1,7 +1,8 @@
 //! What the figures and the text of `[G11]` sections 4.2 and 4.3 say in numbers.
 
 use super::speed_table::experiment;
-use slideway_lab::{Agreement, LabError, Method, Published, Trace};
+use slideway_lab::{Agreement, Method, Published, Trace};
+use slideway_scenario::ScenarioError;
 use std::f64::consts::PI;
 
 const APPROACH: &str = "read as about 0.9 s: to 0.1 s";
@@ -9,7 +10,7 @@ const SAME_TIME: &str = "the paper says that both take the same time, 2π/1.26 s
 optimum, 4.241 s, after an approach of 0.913 s";
 const STANDS: &str = "stands at the singularity: below 1 % of the target rate";
 
-pub(super) fn rows() -> Result<Vec<Published>, LabError> {
+pub(super) fn rows() -> Result<Vec<Published>, ScenarioError> {
     let helix = experiment("puma-helix")?.run(Method::SlidingMode)?;
     let wrist = experiment("puma-wrist-singularity")?.run(Method::SlidingMode)?;
     let row = |source, quantity, unit, paper, ours, tolerance, expected, remark| Published {

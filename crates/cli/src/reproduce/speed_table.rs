@@ -1,6 +1,7 @@
 //! `[G11]` Table 1: root mean square errors on the helix.
 
-use slideway_lab::{Agreement, Experiment, LabError, Method, MethodSummary, Published, Scenario};
+use slideway_lab::{Agreement, Experiment, Method, MethodSummary, Published};
+use slideway_scenario::{ScenarioError, Scenario};
 
 /// RMS of the six coordinates, then of the norm, as printed; cases 1 to 4.
 const PRINTED: [(Method, [f64; 7]); 4] = [
@@ -26,7 +27,7 @@ const EVERY_DIGIT: f64 = 0.5e-4;
 /// Euler and Runge-Kutta steps of 2.5 ms differ by as much as this; which was used is not printed.
 const INTEGRATION: f64 = 2.1e-4;
 
-pub(super) fn rows() -> Result<Vec<Published>, LabError> {
+pub(super) fn rows() -> Result<Vec<Published>, ScenarioError> {
     let experiment = experiment("puma-helix")?;
     let mut rows = Vec::new();
     for (case, (method, printed)) in PRINTED.into_iter().enumerate() {
@@ -55,7 +56,7 @@ pub(super) fn rows() -> Result<Vec<Published>, LabError> {
 }
 
 /// A built-in scenario made ready to run.
-pub(super) fn experiment(name: &str) -> Result<Experiment, LabError> {
-    let missing = || LabError::value("scenario", slideway_lab::Fault::Missing("no built-in scenario of that name"));
-    Experiment::new(&Scenario::built_in(name).ok_or_else(missing)??)
+pub(super) fn experiment(name: &str) -> Result<Experiment, ScenarioError> {
+    let missing = || ScenarioError::value("scenario", slideway_path::Fault::Missing("no built-in scenario of that name"));
+    Scenario::built_in(name).ok_or_else(missing)??.experiment()
 }

@@ -1,12 +1,11 @@
 use super::expression::ExpressionConstraint;
-use super::schema::{ConstraintTable, MotionTable, ShapeTable, SideName};
-use crate::error::{Fault, LabError, ListOf};
-use crate::scenario::number::Number;
+use slideway_conditioner::ParameterError;
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 use slideway_conditioner::shapes::{
     Ball, BoothOval, Cylinder, Ellipsoid, HalfSpace, Local, Moving, Oscillation, Polytope, Shape, Side, SmoothBox,
     Trajectory, UniformMotion, Waypoint,
 };
+use slideway_path::Fault;
 
 /// A constraint with its name and its approach time.
 #[derive(Clone, Debug)]
@@ -68,12 +67,14 @@ pub enum Shape3 {
 }
 
 /// Faces of a polytope at the most.
-pub(crate) const POLYTOPE_FACES: usize = 12;
+pub const POLYTOPE_FACES: usize = 12;
 
-/// How a constraint is carried along.
+/// A motion that carries a constraint along.
 #[derive(Clone, Copy, Debug)]
-enum Carrier {
+pub enum Carrier {
+    /// Constant acceleration.
     Uniform(UniformMotion<3>),
+    /// To and fro.
     Oscillation(Oscillation<3>),
 }
 
@@ -118,103 +119,52 @@ impl Constraint<3> for NamedConstraint {
     }
 }
 
-fn vector(numbers: &[Number; 3]) -> [f64; 3] {
-    [numbers[0].0, numbers[1].0, numbers[2].0]
-}
-
-fn side(name: SideName) -> Side {
-    match name {
-        SideName::Inside => Side::Inside,
-        SideName::Outside => Side::Outside,
-    }
-}
-
 impl NamedConstraint {
-    /// From constraint number `index` of a scenario.
-    pub(crate) fn new(table: &ConstraintTable, index: usize) -> Result<Self, LabError> {
-        let key = format!("constraint.{index}");
-        if !(table.approach.0 > 0.0) {
-            return Err(LabError::value(format!("{key}.approach"), Fault::NotPositive(table.approach.0)));
+    /// A constraint with its approach time `K`, s, and what carries it along, if anything does.
+    ///
+    /// # Errors
+    ///
+    /// An approach time that is not positive.
+    pub fn new(name: String, approach: f64, shape: Shape3, motion: Option<Carrier>) -> Result<Self, Fault> {
+        if !(approach > 0.0) {
+            return Err(Fault::NotPositive(approach));
         }
-        let motion = table.motion.as_ref().map(carrier);
-        let shape = Shape3::new(&table.shape, &format!("{key}.shape"))?;
-        Ok(Self { name: table.name.clone(), approach: table.approach.0, shape, motion })
+        Ok(Self { name, approach, shape, motion })
     }
 
-    /// Whether the constraint moves (by a carrier; a formula may also depend on `t`).
+    /// True of a constraint that a carrier moves; a formula may also depend on `t`.
     #[must_use]
     pub fn is_carried(&self) -> bool {
         self.motion.is_some()
     }
 }
 
-fn carrier(table: &MotionTable) -> Carrier {
-    match table {
-        MotionTable::Uniform { velocity, acceleration } => {
-            Carrier::Uniform(UniformMotion { velocity: vector(velocity), acceleration: vector(acceleration) })
-        }
-        MotionTable::Oscillation { amplitude, frequency, phase } => {
-            Carrier::Oscillation(Oscillation { amplitude: vector(amplitude), frequency: frequency.0, phase: phase.0 })
-        }
-    }
-}
-
 impl Shape3 {
-    fn new(table: &ShapeTable, key: &str) -> Result<Self, LabError> {
-        let refused = |error| LabError::value(key, Fault::Conditioner(error));
-        Ok(match table {
-            ShapeTable::HalfSpace { normal, offset } => {
-                let shape = HalfSpace::new(&vector(normal), offset.0).map_err(refused)?;
-                Self::HalfSpace { normal: shape.normal(), offset: shape.offset(), shape }
-            }
-            ShapeTable::Polytope { normals, offsets, sharpness, side: s } => {
-                Self::Polytope(Box::new(polytope(normals, offsets, sharpness.0, side(*s), key)?))
-            }
-            ShapeTable::Sphere { centre, radius, side: s } => Self::Ball {
-                centre: vector(centre),
-                radius: radius.0,
-                side: side(*s),
-                shape: Ball::new(vector(centre), radius.0, side(*s)).map_err(refused)?,
-            },
-            ShapeTable::Ellipsoid { centre, semi_axes, scale, side: s } => Self::Ellipsoid {
-                centre: vector(centre),
-                semi_axes: vector(semi_axes),
-                side: side(*s),
-                shape: Ellipsoid::new(vector(centre), &vector(semi_axes), scale.0, side(*s)).map_err(refused)?,
-            },
-            ShapeTable::Cylinder { point, axis, radius, side: s } => {
-                Self::Cylinder(Cylinder::new(vector(point), &vector(axis), radius.0, side(*s)).map_err(refused)?)
-            }
-            ShapeTable::Box { centre, half_edges, exponent, scale, side: s } => Self::Box(
-                SmoothBox::new(vector(centre), vector(half_edges), exponent.0, scale.0, side(*s)).map_err(refused)?,
-            ),
-            ShapeTable::BoothOval { weights, radius, side: s } => {
-                Self::BoothOval(BoothOval::new(vector(weights), radius.0, side(*s)).map_err(refused)?)
-            }
-            ShapeTable::Formula(text) => Self::Formula(Box::new(
-                ExpressionConstraint::new(text).map_err(|e| LabError::value(format!("{key}.formula"), e))?,
-            )),
-        })
+    /// One side of a plane: outward normal of any length and offset along it, m.
+    ///
+    /// # Errors
+    ///
+    /// A normal without length, or a number that is not finite.
+    pub fn half_space(normal: &[f64; 3], offset: f64) -> Result<Self, ParameterError> {
+        let shape = HalfSpace::new(normal, offset)?;
+        Ok(Self::HalfSpace { normal: shape.normal(), offset: shape.offset(), shape })
     }
-}
 
-fn polytope(
-    normals: &[[Number; 3]],
-    offsets: &[Number],
-    sharpness: f64,
-    side: Side,
-    key: &str,
-) -> Result<Polytope<3, POLYTOPE_FACES>, LabError> {
-    if normals.len() != offsets.len() {
-        let fault = Fault::WrongLength { found: offsets.len(), expected: normals.len(), list: ListOf::Faces };
-        return Err(LabError::value(format!("{key}.polytope.offsets"), fault));
+    /// A ball, m.
+    ///
+    /// # Errors
+    ///
+    /// A radius that is not positive and finite.
+    pub fn ball(centre: [f64; 3], radius: f64, side: Side) -> Result<Self, ParameterError> {
+        Ok(Self::Ball { centre, radius, side, shape: Ball::new(centre, radius, side)? })
     }
-    if normals.is_empty() || normals.len() > POLYTOPE_FACES {
-        let fault = Fault::OutOfRange { value: normals.len() as f64, least: 1.0, most: POLYTOPE_FACES as f64 };
-        return Err(LabError::value(format!("{key}.polytope.normals"), fault));
+
+    /// An ellipsoid along the axes, m; `scale` as in [`Ellipsoid::new`].
+    ///
+    /// # Errors
+    ///
+    /// A semi-axis or a scale that is not positive and finite.
+    pub fn ellipsoid(centre: [f64; 3], semi_axes: [f64; 3], scale: f64, side: Side) -> Result<Self, ParameterError> {
+        Ok(Self::Ellipsoid { centre, semi_axes, side, shape: Ellipsoid::new(centre, &semi_axes, scale, side)? })
     }
-    let normals: Vec<[f64; 3]> = normals.iter().map(vector).collect();
-    let offsets: Vec<f64> = offsets.iter().map(|offset| offset.0).collect();
-    Polytope::with_faces(&normals, &offsets, sharpness, side)
-        .map_err(|error| LabError::value(format!("{key}.polytope"), Fault::Conditioner(error)))
 }

@@ -1,6 +1,5 @@
-use super::schema::PathDisturbancesTable;
-use crate::error::LabError;
-use crate::run::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, in_words, within};
+use slideway_path::ProblemError;
+use crate::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, in_words, within};
 use serde::Serialize;
 use slideway_conditioner::path::{ConstraintSample, Motion};
 use std::fmt;
@@ -53,23 +52,12 @@ impl PathDisturbances {
         self.distance_noise != 0.0 || self.jitter != 0.0
     }
 
-    pub(crate) fn read(table: &PathDisturbancesTable) -> Result<Self, LabError> {
-        let disturbances = Self {
-            seed: table.seed.unwrap_or(0),
-            initial_error: table.initial_error.map_or([0.0; 3], |e| e.map(|e| e.0)),
-            distance_noise: table.distance_noise.map_or(0.0, |n| n.0),
-            delay: table.delay.unwrap_or(0),
-            jitter: table.jitter.map_or(0.0, |j| j.0),
-        };
-        disturbances.check().map(|()| disturbances)
-    }
-
     /// Whether they can be meant; NaN cannot.
     ///
     /// # Errors
     ///
     /// The first value that no scenario may have, with its key.
-    pub fn check(&self) -> Result<(), LabError> {
+    pub fn check(&self) -> Result<(), ProblemError> {
         for (i, value) in self.initial_error.iter().enumerate() {
             within(&format!("initial_error.{i}"), *value, -f64::MAX, f64::MAX)?;
         }

@@ -1,6 +1,5 @@
-use crate::formula::{FormulaError, MultiFormula};
-use crate::jet::Jet;
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
+use slideway_path::formula::{FormulaError, Jet, MultiFormula};
 
 /// A constraint typed as a formula in `x`, `y`, `z` (m) and `t` (s); derivatives are exact to rounding.
 #[derive(Clone, Debug)]
@@ -29,15 +28,15 @@ impl Constraint<3> for ExpressionConstraint {
         let along = [motion.velocity[0], motion.velocity[1], motion.velocity[2], 1.0];
         let partial = |i: usize| {
             let variable = |j: usize| Jet::variable(at[j], [if i == j { 1.0 } else { 0.0 }, along[j]]);
-            self.0.at(&std::array::from_fn::<Jet, 4, _>(variable)).0
+            self.0.at(&std::array::from_fn::<Jet, 4, _>(variable)).parts()
         };
         let partials: [_; 4] = std::array::from_fn(partial);
         ConstraintSample {
-            value: partials[0].re,
-            gradient: std::array::from_fn(|i| partials[i].eps1),
-            time_rate: partials[3].eps1,
-            gradient_rate: std::array::from_fn(|i| partials[i].eps1eps2),
-            time_rate_rate: partials[3].eps1eps2,
+            value: partials[0][0],
+            gradient: std::array::from_fn(|i| partials[i][1]),
+            time_rate: partials[3][1],
+            gradient_rate: std::array::from_fn(|i| partials[i][2]),
+            time_rate_rate: partials[3][2],
         }
     }
 }

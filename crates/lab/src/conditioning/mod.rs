@@ -6,15 +6,12 @@ mod expression;
 mod metrics;
 mod problem;
 mod run;
-mod scenario;
-mod schema;
 mod trace;
 
-pub use constraint::{NamedConstraint, Shape3};
+pub use constraint::{Carrier, NamedConstraint, POLYTOPE_FACES, Shape3};
 pub use disturbances::PathDisturbances;
 pub use expression::ExpressionConstraint;
 pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
 pub use problem::{ConditioningProblem, MarginChoice, Reference};
 pub use run::{CLOCK_ROUNDING, check_conditioner, run_conditioner};
-pub use scenario::ConditioningScenario;
 pub use trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};

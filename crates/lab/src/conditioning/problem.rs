@@ -1,13 +1,9 @@
 use super::constraint::NamedConstraint;
 use super::disturbances::PathDisturbances;
-use super::schema::{ConditionerTable, ConditioningFile, LawTable, MarginTable, ReferenceTable, TrapTable, WalkTable};
 use super::trace::MAX_CONSTRAINTS;
-use crate::error::{Fault, LabError, ListOf};
-use crate::path::position::PositionCurve;
-use crate::path::waypoint_reader::Place;
-use crate::scenario::number::Number;
-use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, TrapSettings, Walk};
-use std::path::Path;
+use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, TrapSettings};
+use slideway_path::{Fault, ListOf, PositionCurve, ProblemError};
+use std::ops::Range;
 
 /// A reference with its constraints and the parameters of every method.
 #[derive(Clone, Debug)]
@@ -87,79 +83,109 @@ impl Reference {
         Motion { time: t, position: position.into(), velocity: (derivative * (self.rate * pace)).into() }
     }
 
-    fn new(table: &ReferenceTable, folder: &Path) -> Result<Self, LabError> {
-        let (start, end) = (table.start.0, table.end.0);
+    /// A reference that runs along a curve over a range of the path parameter, at a rate in 1/s; given up after `max_duration`
+    /// seconds, by default twenty times its own duration.
+    ///
+    /// # Errors
+    ///
+    /// A range that is empty; a rate or duration that is not positive; a curve without a finite value somewhere.
+    pub fn new(
+        curve: PositionCurve,
+        range: Range<f64>,
+        rate: f64,
+        max_duration: Option<f64>,
+    ) -> Result<Self, ProblemError> {
+        let Range { start, end } = range;
         if !(start < end) {
-            return Err(LabError::value("reference.end", Fault::NotIncreasing { before: start, after: end }));
+            return Err(ProblemError::value("reference.end", Fault::NotIncreasing { before: start, after: end }));
         }
-        let rate = positive("reference.rate", table.rate)?;
-        let place = Place { key: "reference.position".to_owned(), folder, range: start..end };
-        let curve = PositionCurve::new(&table.position, &place)?;
-        let default = 20.0 * (end - start) / rate;
-        let max_duration = table.max_duration.map_or(Ok(default), |d| positive("reference.max_duration", d))?;
+        positive("reference.rate", rate)?;
+        let max_duration = max_duration.unwrap_or(20.0 * (end - start) / rate);
+        positive("reference.max_duration", max_duration)?;
         let reference = Self { curve, start, end, rate, max_duration };
         for i in 0..=1000 {
             let clock = reference.duration() * f64::from(i) / 1000.0;
             if !reference.at(0.0, clock, 1.0).is_finite() {
-                return Err(LabError::value("reference.position", Fault::UndefinedAt(reference.lambda(clock))));
+                return Err(ProblemError::value("reference.position", Fault::UndefinedAt(reference.lambda(clock))));
             }
         }
         Ok(reference)
     }
 }
 
-fn positive(key: &str, number: Number) -> Result<f64, LabError> {
-    if number.0 > 0.0 { Ok(number.0) } else { Err(LabError::value(key, Fault::NotPositive(number.0))) }
+fn positive(key: &str, value: f64) -> Result<(), ProblemError> {
+    if value > 0.0 { Ok(()) } else { Err(ProblemError::value(key, Fault::NotPositive(value))) }
 }
 
 impl ConditioningProblem {
-    pub(crate) fn new(file: &ConditioningFile, folder: &Path) -> Result<Self, LabError> {
-        if file.constraint.is_empty() || file.constraint.len() > MAX_CONSTRAINTS {
-            let fault =
-                Fault::OutOfRange { value: file.constraint.len() as f64, least: 1.0, most: MAX_CONSTRAINTS as f64 };
-            return Err(LabError::value("constraint", fault));
-        }
-        let constraints = file
-            .constraint
-            .iter()
-            .enumerate()
-            .map(|(i, table)| NamedConstraint::new(table, i))
-            .collect::<Result<Vec<_>, _>>()?;
-        let conditioner = &file.conditioner;
-        let field = &file.potential_field;
-        let problem = Self {
-            reference: Reference::new(&file.reference, folder)?,
-            margin: margin(conditioner, constraints.len())?,
+    /// A problem with the explicit form's law, no margin, no reserve, no trap avoidance, no disturbances, and the parameters of the
+    /// other methods by default. [`ConditioningProblem::check`] says whether it can be run.
+    #[must_use]
+    pub fn new(
+        reference: Reference,
+        constraints: Vec<NamedConstraint>,
+        sampling_period: f64,
+        push_cutoff: f64,
+        law: SwitchingLaw,
+    ) -> Self {
+        Self {
+            reference,
             constraints,
-            sampling_period: positive("conditioner.sampling_period", conditioner.sampling_period)?,
-            push_cutoff: positive("conditioner.push_cutoff", conditioner.push_cutoff)?,
-            law: match &conditioner.law {
-                LawTable::Normalised { amplitude } => SwitchingLaw::Normalised {
-                    amplitude: positive("conditioner.law.normalised.amplitude", *amplitude)?,
-                },
-                LawTable::Sum { gain } => SwitchingLaw::Sum { gain: positive("conditioner.law.sum.gain", *gain)? },
-            },
-            reserve: match conditioner.reserve_rate {
-                Some(rate) => Reserve::On { recovery_rate: positive("conditioner.reserve_rate", rate)? },
-                None => Reserve::Off,
-            },
-            recovery_rate: conditioner.recovery_rate.map_or(Ok(1.0), |r| positive("conditioner.recovery_rate", r))?,
-            trap: file.trap.as_ref().map(trap),
-            attraction: field.attraction.map_or(Ok(20.0), |v| positive("potential_field.attraction", v))?,
-            repulsion: field.repulsion.map_or(Ok(5e-6), |v| positive("potential_field.repulsion", v))?,
-            influence: field.influence.map_or(Ok(0.1), |v| positive("potential_field.influence", v))?,
-            disturbances: PathDisturbances::read(&file.disturbances)?,
+            sampling_period,
+            push_cutoff,
+            law,
+            margin: MarginChoice::None,
+            reserve: Reserve::Off,
+            recovery_rate: 1.0,
+            trap: None,
+            attraction: 20.0,
+            repulsion: 5e-6,
+            influence: 0.1,
+            disturbances: PathDisturbances::default(),
+        }
+    }
+
+    /// Refuses what cannot be run.
+    ///
+    /// # Errors
+    ///
+    /// The first value that cannot be used, with its key: numbers that are not positive, no constraints or more than
+    /// [`MAX_CONSTRAINTS`], margins of another number, disturbances out of range, a constraint whose gradient vanishes on its boundary.
+    pub fn check(&self) -> Result<(), ProblemError> {
+        let count = self.constraints.len();
+        if count == 0 || count > MAX_CONSTRAINTS {
+            let fault = Fault::OutOfRange { value: count as f64, least: 1.0, most: MAX_CONSTRAINTS as f64 };
+            return Err(ProblemError::value("constraint", fault));
+        }
+        if let MarginChoice::Fixed(margins) = &self.margin
+            && margins.len() != count
+        {
+            let fault = Fault::WrongLength { found: margins.len(), expected: count, list: ListOf::Constraints };
+            return Err(ProblemError::value("conditioner.margin.fixed", fault));
+        }
+        let (law_key, strength) = match self.law {
+            SwitchingLaw::Normalised { amplitude } => ("conditioner.law.normalised.amplitude", amplitude),
+            SwitchingLaw::Sum { gain } => ("conditioner.law.sum.gain", gain),
         };
-        file.verify.read()?;
-        problem.check_gradients()?;
-        Ok(problem)
+        positive("conditioner.sampling_period", self.sampling_period)?;
+        positive("conditioner.push_cutoff", self.push_cutoff)?;
+        positive(law_key, strength)?;
+        if let Reserve::On { recovery_rate } = self.reserve {
+            positive("conditioner.reserve_rate", recovery_rate)?;
+        }
+        positive("conditioner.recovery_rate", self.recovery_rate)?;
+        positive("potential_field.attraction", self.attraction)?;
+        positive("potential_field.repulsion", self.repulsion)?;
+        positive("potential_field.influence", self.influence)?;
+        self.disturbances.check()?;
+        self.check_gradients()
     }
 
     /// Looks for places on a boundary where its gradient vanishes: there no push has a direction.
     ///
     /// From points around the reference Newton's method goes down to the boundary; where `σ` ends small and its gradient
     /// much smaller than it began, the boundary is singular.
-    fn check_gradients(&self) -> Result<(), LabError> {
+    fn check_gradients(&self) -> Result<(), ProblemError> {
         for (index, constraint) in self.constraints.iter().enumerate() {
             let (mut singular, mut regular) = (None, 0_usize);
             for i in 0..200 {
@@ -174,7 +200,7 @@ impl ConditioningProblem {
             if let Some(near) = singular
                 && regular == 0
             {
-                return Err(LabError::value(format!("constraint.{index}.shape"), Fault::VanishingGradient { near }));
+                return Err(ProblemError::value(format!("constraint.{index}.shape"), Fault::VanishingGradient { near }));
             }
         }
         Ok(())
@@ -206,37 +232,4 @@ fn boundary_gradient(constraint: &NamedConstraint, reference: &Motion<3>, seed: 
         }
     }
     None
-}
-
-fn margin(table: &ConditionerTable, constraints: usize) -> Result<MarginChoice, LabError> {
-    Ok(match &table.margin {
-        MarginTable::None => MarginChoice::None,
-        MarginTable::Band => MarginChoice::Band,
-        MarginTable::Fixed(margins) if margins.len() == constraints => {
-            MarginChoice::Fixed(margins.iter().map(|m| m.0).collect())
-        }
-        MarginTable::Fixed(margins) => {
-            let fault = Fault::WrongLength { found: margins.len(), expected: constraints, list: ListOf::Constraints };
-            return Err(LabError::value("conditioner.margin.fixed", fault));
-        }
-    })
-}
-
-fn trap(table: &TrapTable) -> TrapSettings {
-    TrapSettings {
-        walk_cutoff: table.walk_cutoff.0,
-        pace_cutoff: table.pace_cutoff.0,
-        walk: match table.walk {
-            WalkTable::Paper => Walk::Paper,
-            WalkTable::Safe { push_share } => Walk::Safe { push_share: push_share.0 },
-        },
-        walk_speed: table.walk_speed.0,
-        walk_growth: table.walk_growth.map_or(table.walk_speed.0, |g| g.0),
-        return_gain: table.return_gain.0,
-        direction_period: table.direction_period.0,
-        distance_threshold: table.distance_threshold.0,
-        clearance_threshold: table.clearance_threshold.0,
-        activity_threshold: table.activity_threshold.0,
-        seed: table.seed,
-    }
 }

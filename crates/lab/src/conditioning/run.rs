@@ -1,7 +1,7 @@
 use super::disturbances::Surroundings;
 use super::problem::{ConditioningProblem, MarginChoice};
 use super::trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
     Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathState, PathStep, TrapPhase,
@@ -25,7 +25,7 @@ const MAX_SAMPLES: usize = 5_000_000;
 /// # Errors
 ///
 /// Parameters that the conditioner refuses.
-pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
+pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, ProblemError> {
     match problem.constraints.len() {
         1 => run::<1>(problem, method),
         2 => run::<2>(problem, method),
@@ -43,7 +43,7 @@ pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Res
 /// # Errors
 ///
 /// Parameters that the conditioner refuses: those that [`run_conditioner`] would report.
-pub fn check_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<(), LabError> {
+pub fn check_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<(), ProblemError> {
     match problem.constraints.len() {
         1 => conditioner::<1>(problem, method).map(drop),
         2 => conditioner::<2>(problem, method).map(drop),
@@ -100,12 +100,12 @@ impl ConditioningProblem {
 fn conditioner<const M: usize>(
     problem: &ConditioningProblem,
     method: PathMethod,
-) -> Result<PathConditioner<3, M>, LabError> {
-    PathConditioner::new(problem.settings(method)).map_err(|error| LabError::value("conditioner", error))
+) -> Result<PathConditioner<3, M>, ProblemError> {
+    PathConditioner::new(problem.settings(method)).map_err(|error| ProblemError::value("conditioner", error))
 }
 
 #[allow(clippy::cast_precision_loss)]
-fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, LabError> {
+fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, ProblemError> {
     let conditioner = conditioner::<M>(problem, method)?;
     let mut state = start(problem, &conditioner)?;
     let mut world = Surroundings::<M>::new(&problem.disturbances, problem.sampling_period);
@@ -151,7 +151,7 @@ fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Res
 fn start<const M: usize>(
     problem: &ConditioningProblem,
     conditioner: &PathConditioner<3, M>,
-) -> Result<PathState<3, M>, LabError> {
+) -> Result<PathState<3, M>, ProblemError> {
     let error = problem.disturbances.initial_error;
     if error == [0.0; 3] {
         return Ok(conditioner.on_reference());
@@ -160,7 +160,7 @@ fn start<const M: usize>(
     for (p, e) in position.iter_mut().zip(&error) {
         *p += e;
     }
-    conditioner.at_rest(&position).map_err(|refused| LabError::value("disturbances.initial_error", refused))
+    conditioner.at_rest(&position).map_err(|refused| ProblemError::value("disturbances.initial_error", refused))
 }
 
 fn sample<const M: usize>(

@@ -2,19 +2,17 @@ use super::follow::{NaturalSample, NaturalTrace, Run};
 use super::law::{Ramp, SpeedLaw};
 use super::problem::NaturalProblem;
 use super::survey::Survey;
-use crate::error::{Fault, LabError};
-use crate::path::CartesianPath;
+use slideway_path::{Fault, ProblemError};
+use slideway_path::CartesianPath;
 use crate::problem::Problem;
-use crate::robot::MAX_JOINTS;
-use crate::run::joint_units::JointUnits;
-use crate::run::law::Method;
-use crate::run::simulate::{MAX_SAMPLES, pad};
+use crate::joints::MAX_JOINTS;
+use crate::joints::JointUnits;
+use crate::method::Method;
+use crate::joints::pad;
+use crate::run::simulate::MAX_SAMPLES;
 use crate::run::trace::{Sample, Trace};
-use crate::scenario::Scenario;
-use crate::scenario::schema::{FactorName, NaturalTable};
 use slideway_conditioner::AffineSpeed;
 use slideway_robot::EulerAngles;
-use slideway_robot::augmented::SpeedFactor;
 
 /// Constant speed and natural motion as methods of a comparison.
 ///
@@ -39,30 +37,26 @@ struct Fastest {
 }
 
 impl<const N: usize> NaturalLaws<N> {
-    /// The laws where a scenario asks for them with a `[natural]` table.
+    /// The laws where a problem asks for them.
     ///
     /// # Errors
     ///
     /// A value that cannot be used; a path of the joints; an arm with more joints than the task has coordinates.
-    pub(crate) fn new(scenario: &Scenario, problem: &Problem<N>) -> Result<Option<Self>, LabError> {
-        let Some(table) = &scenario.file.natural else { return Ok(None) };
-        let factor = match table.factor {
-            FactorName::Determinant => SpeedFactor::Determinant,
-            // The scale is a constant factor of b, which the survey chooses.
-            FactorName::Arm => SpeedFactor::Arm { scale: 1.0 },
-        };
-        let natural = NaturalProblem::of(problem, factor)?;
-        Ok(Some(Self { problem: natural, rise: rise(table)?, share: share(table)? }))
+    pub(crate) fn new(problem: &Problem<N>) -> Result<Option<Self>, ProblemError> {
+        let Some(settings) = &problem.natural else { return Ok(None) };
+        let natural = NaturalProblem::of(&problem.path, settings.factor)?;
+        settings.check()?;
+        Ok(Some(Self { problem: natural, rise: settings.rise, share: settings.share }))
     }
 
     /// Runs one of the two laws with the sampling period of the fixed speeds.
     ///
     /// # Errors
     ///
-    /// [`LabError::NoFiniteSpeed`] where the path turns back at a singularity; a ramp longer than the run.
+    /// [`ProblemError::NoFiniteSpeed`] where the path turns back at a singularity; a ramp longer than the run.
     #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, clippy::cast_sign_loss)]
-    pub(crate) fn run(&self, problem: &Problem<N>, method: Method) -> Result<Trace, LabError> {
-        let length = problem.path.end() - problem.path.start();
+    pub(crate) fn run(&self, problem: &Problem<N>, method: Method) -> Result<Trace, ProblemError> {
+        let length = problem.path.end() - problem.path.begin();
         let fastest = self.fastest(problem, &self.problem.survey(problem.path.end())?)?;
         let (law, seconds) = if method == Method::NaturalMotion {
             (SpeedLaw::Natural { b: fastest.b }, fastest.natural_s)
@@ -77,21 +71,21 @@ impl<const N: usize> NaturalLaws<N> {
         }
         let ramp = Ramp::new(self.rise, seconds + self.rise).map_err(|_| {
             let fault = Fault::OutOfRange { value: self.rise, least: 0.0, most: seconds };
-            LabError::value("natural.rise", fault)
+            ProblemError::value("natural.rise", fault)
         })?;
         let run = Run { law, ramp, steps: (steps as usize).max(1) };
         as_trace(problem, method, &run, &self.problem.follow(&run)?)
     }
 
     /// The largest speeds at which every joint, and the tool where its speed is limited, keeps its limit.
-    fn fastest(&self, problem: &Problem<N>, survey: &Survey<N>) -> Result<Fastest, LabError> {
+    fn fastest(&self, problem: &Problem<N>, survey: &Survey<N>) -> Result<Fastest, ProblemError> {
         let sign = self.problem.flow(self.problem.start()).direction.path.signum();
         let (mut of_b, mut of_path_speed) = (0.0_f64, 0.0_f64);
         for point in &survey.points {
             let lambda = point.place.parameter;
             let joints = self.problem.flow(&point.place).direction.joints * sign;
-            let of_limits = problem.speed_limits_at(lambda)?.ratio(&joints.into());
-            let tool = problem.tool_rate_limit(lambda);
+            let of_limits = problem.path.speed_limits_at(lambda)?.ratio(&joints.into());
+            let tool = problem.path.tool_rate_limit(lambda);
             of_b = of_b.max(of_limits.max(point.factor / tool));
             of_path_speed = of_path_speed.max((of_limits / point.factor).max(1.0 / tool));
         }
@@ -100,34 +94,20 @@ impl<const N: usize> NaturalLaws<N> {
     }
 }
 
-fn rise(table: &NaturalTable) -> Result<f64, LabError> {
-    let rise = table.rise.map_or(0.0, |r| r.0);
-    let fault = Fault::OutOfRange { value: rise, least: 0.0, most: f64::MAX };
-    if rise >= 0.0 && rise.is_finite() { Ok(rise) } else { Err(LabError::value("natural.rise", fault)) }
-}
-
-fn share(table: &NaturalTable) -> Result<f64, LabError> {
-    let share = table.share.map_or(1.0, |s| s.0);
-    if !(share > 0.0) {
-        return Err(LabError::value("natural.share", Fault::NotPositive(share)));
-    }
-    let fault = Fault::OutOfRange { value: share, least: 0.0, most: 1.0 };
-    if share <= 1.0 { Ok(share) } else { Err(LabError::value("natural.share", fault)) }
-}
-
 /// A run that takes longer than any trace can hold: it never moves.
 fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
-    let demand = problem.demand(&problem.path_start, &problem.start_euler, problem.path.start());
+    let demand = problem.demand(&problem.path.start, &problem.start_euler, problem.path.begin());
     Trace {
         method,
         joints: N,
-        units: JointUnits::of(&problem.arm),
+        joint_names: problem.joint_names.clone(),
+        units: JointUnits::of(&problem.path.arm),
         sampling_period: problem.fixed_speed.sampling_period,
         finish_s: None,
         arrival_s: None,
         samples: vec![Sample {
             t: 0.0,
-            lambda: problem.path.start(),
+            lambda: problem.path.begin(),
             path_rate: 0.0,
             factor: 1.0,
             switch: 1.0,
@@ -135,7 +115,7 @@ fn standing<const N: usize>(problem: &Problem<N>, method: Method) -> Trace {
             limit_ratio: 0.0,
             limiting_joint: None,
             error: demand.error.into(),
-            q: pad(&problem.path_start),
+            q: pad(&problem.path.start),
             split: AffineSpeed { feedback: [0.0; MAX_JOINTS], feedforward: [0.0; MAX_JOINTS] },
             desired: [0.0; MAX_JOINTS],
             commanded: [0.0; MAX_JOINTS],
@@ -149,7 +129,7 @@ fn as_trace<const N: usize>(
     method: Method,
     run: &Run,
     natural: &NaturalTrace<N>,
-) -> Result<Trace, LabError> {
+) -> Result<Trace, ProblemError> {
     let mut trace = Trace { sampling_period: run.step(), samples: Vec::new(), ..standing(problem, method) };
     let mut euler = problem.start_euler;
     let mut distance = f64::INFINITY;
@@ -168,11 +148,11 @@ fn record<const N: usize>(
     problem: &Problem<N>,
     natural: &NaturalSample<N>,
     euler: &mut EulerAngles,
-) -> Result<(Sample, f64), LabError> {
+) -> Result<(Sample, f64), ProblemError> {
     let (place, speed) = (&natural.place, natural.motion.joint_speed);
     let demand = problem.demand(&place.q, euler, place.parameter);
     *euler = demand.euler;
-    let limits = problem.speed_limits_at(place.parameter)?;
+    let limits = problem.path.speed_limits_at(place.parameter)?;
     let sample = Sample {
         t: natural.time,
         lambda: place.parameter,

@@ -2,7 +2,7 @@ use super::follow::Run;
 use super::integrate::State;
 use super::path::{ParametrisedPath, PathState};
 use super::problem::{NaturalProblem, PathPlace};
-use crate::error::{Fault, LabError};
+use slideway_path::{Fault, ProblemError};
 use nalgebra::SMatrix;
 use slideway_robot::augmented::PathMotion;
 use slideway_robot::{Dynamics, InverseMethod, JointVector, Twist, rotation_vector, solve_rates};
@@ -73,8 +73,8 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
     ///
     /// # Errors
     ///
-    /// Resolved acceleration for an arm without masses; [`LabError::NoFiniteSpeed`]; a mass matrix that is singular.
-    pub fn control(&self, run: &ControlRun<N>) -> Result<Vec<TrackingError<N>>, LabError> {
+    /// Resolved acceleration for an arm without masses; [`ProblemError::NoFiniteSpeed`]; a mass matrix that is singular.
+    pub fn control(&self, run: &ControlRun<N>) -> Result<Vec<TrackingError<N>>, ProblemError> {
         let start = self.start();
         let speed = self.motion(start, 0.0, &run.run).joint_speed;
         let joints = SMatrix::<f64, N, 3>::from_columns(&[start.q, speed, start.q]);
@@ -87,7 +87,7 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
         Ok(samples)
     }
 
-    fn loop_rate(&self, state: &State<N, 3>, run: &ControlRun<N>) -> Result<State<N, 3>, LabError> {
+    fn loop_rate(&self, state: &State<N, 3>, run: &ControlRun<N>) -> Result<State<N, 3>, ProblemError> {
         let reference = self.reference(state, run);
         let command = self.command(state, &reference, run)?;
         let columns = [command.joint_speed, command.joint_acceleration, reference.joint_speed];
@@ -104,7 +104,7 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
         state: &State<N, 3>,
         reference: &PathMotion<N>,
         run: &ControlRun<N>,
-    ) -> Result<Command<N>, LabError> {
+    ) -> Result<Command<N>, ProblemError> {
         let q = state.joints.column(POSITION).into_owned();
         let PathState { pose, tangent } = self.path().at(state.parameter);
         let tool = self.arm().forward(&q);
@@ -122,7 +122,7 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
             }),
             Controller::ResolvedAcceleration { model, stiffness, damping } => {
                 let arm = self.dynamics().ok_or_else(|| {
-                    LabError::value("controller", Fault::Missing("resolved acceleration needs the arm's masses"))
+                    ProblemError::value("controller", Fault::Missing("resolved acceleration needs the arm's masses"))
                 })?;
                 let qd = state.joints.column(SPEED).into_owned();
                 let feedforward =
@@ -132,13 +132,13 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
                 let torque = model.inverse(&q, &qd, &wanted);
                 let joint_acceleration = arm
                     .forward(&q, &qd, &torque)
-                    .map_err(|error| LabError::value("controller", slideway_robot::RobotError::from(error)))?;
+                    .map_err(|error| ProblemError::value("controller", slideway_robot::RobotError::from(error)))?;
                 Ok(Command { joint_speed: qd, joint_acceleration, torque: Some(torque) })
             }
         }
     }
 
-    fn tracking(&self, state: &State<N, 3>, run: &ControlRun<N>) -> Result<TrackingError<N>, LabError> {
+    fn tracking(&self, state: &State<N, 3>, run: &ControlRun<N>) -> Result<TrackingError<N>, ProblemError> {
         let command = self.command(state, &self.reference(state, run), run)?;
         let q = state.joints.column(POSITION).into_owned();
         Ok(TrackingError {

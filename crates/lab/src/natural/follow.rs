@@ -2,7 +2,7 @@ use super::integrate::State;
 use super::law::{Ramp, SpeedLaw};
 use super::path::ParametrisedPath;
 use super::problem::{NaturalProblem, PathPlace};
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use slideway_robot::JointVector;
 use slideway_robot::augmented::PathMotion;
 
@@ -56,8 +56,8 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
     ///
     /// # Errors
     ///
-    /// [`LabError::NoFiniteSpeed`]: constant speed at a singularity, or a start that is none.
-    pub fn follow(&self, run: &Run) -> Result<NaturalTrace<N>, LabError> {
+    /// [`ProblemError::NoFiniteSpeed`]: constant speed at a singularity, or a start that is none.
+    pub fn follow(&self, run: &Run) -> Result<NaturalTrace<N>, ProblemError> {
         let mut state = State { joints: self.start().q, parameter: self.start().parameter, clock: 0.0 };
         let mut samples = Vec::with_capacity(run.steps + 1);
         samples.push(self.sample(&state, run));

@@ -1,4 +1,4 @@
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use nalgebra::SMatrix;
 
 /// What is integrated: `K` joint vectors, the path parameter and a clock.
@@ -22,14 +22,14 @@ impl<const N: usize, const K: usize> State<N, K> {
     ///
     /// # Errors
     ///
-    /// [`LabError::NoFiniteSpeed`] if the step does not end at finite numbers; whatever the rate returns.
-    pub(super) fn step(&self, h: f64, rate: impl Fn(&Self) -> Result<Self, LabError>) -> Result<Self, LabError> {
+    /// [`ProblemError::NoFiniteSpeed`] if the step does not end at finite numbers; whatever the rate returns.
+    pub(super) fn step(&self, h: f64, rate: impl Fn(&Self) -> Result<Self, ProblemError>) -> Result<Self, ProblemError> {
         let first = rate(self)?;
         let second = rate(&self.moved(&first, 0.5 * h))?;
         let third = rate(&self.moved(&second, 0.5 * h))?;
         let fourth = rate(&self.moved(&third, h))?;
         let next = self.moved(&first, h / 6.0).moved(&second, h / 3.0).moved(&third, h / 3.0).moved(&fourth, h / 6.0);
         let finite = next.joints.iter().chain([&next.parameter, &next.clock]).all(|x| x.is_finite());
-        if finite { Ok(next) } else { Err(LabError::NoFiniteSpeed { at: self.parameter }) }
+        if finite { Ok(next) } else { Err(ProblemError::NoFiniteSpeed { at: self.parameter }) }
     }
 }

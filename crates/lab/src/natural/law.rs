@@ -1,4 +1,4 @@
-use crate::error::{Fault, LabError};
+use slideway_path::{Fault, ProblemError};
 use slideway_robot::augmented::Flow;
 
 /// How fast the path is run.
@@ -62,13 +62,13 @@ impl Ramp {
     /// # Errors
     ///
     /// An interval that is not positive and finite; a rise that is negative or longer than half of it.
-    pub fn new(rise: f64, interval: f64) -> Result<Self, LabError> {
+    pub fn new(rise: f64, interval: f64) -> Result<Self, ProblemError> {
         if !(interval > 0.0 && interval.is_finite()) {
-            return Err(LabError::value("interval", Fault::NotPositive(interval)));
+            return Err(ProblemError::value("interval", Fault::NotPositive(interval)));
         }
         if !(rise >= 0.0 && rise <= 0.5 * interval) {
             let fault = Fault::OutOfRange { value: rise, least: 0.0, most: 0.5 * interval };
-            return Err(LabError::value("rise", fault));
+            return Err(ProblemError::value("rise", fault));
         }
         Ok(Self { rise, interval })
     }

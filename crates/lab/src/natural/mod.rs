@@ -7,12 +7,11 @@
 //! - [`NaturalProblem::follow`] runs a [`SpeedLaw`] with the arm exactly on the path;
 //! - [`NaturalProblem::control`] runs it in closed loop, under resolved acceleration or an inverse-Jacobian controller.
 //!
-//! [`NaturalProblem::from_scenario`] takes robot and path from a scenario. [`table_1`] and [`table_2`] repeat the paper's tables.
+//! [`NaturalProblem::of`] takes arm and path of a problem. [`table_1`] and [`table_2`] repeat the paper's tables.
 
 mod comparison;
 mod control;
 mod follow;
-mod from_scenario;
 mod integrate;
 mod law;
 mod metrics;

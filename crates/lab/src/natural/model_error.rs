@@ -1,5 +1,5 @@
 use super::integrate::State;
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use crate::run::course::{Course, CourseSample};
 use nalgebra::SMatrix;
 use slideway_robot::{Dynamics, JointVector, RobotError};
@@ -53,7 +53,7 @@ pub(crate) struct WrongModel<'a, const N: usize> {
 
 impl<'a, const N: usize> WrongModel<'a, N> {
     /// A model in which the links' masses and moments of inertia are wrong by `share` and `-share`, by turns from the base.
-    pub(crate) fn new(arm: &'a Dynamics<N>, share: f64) -> Result<Self, LabError> {
+    pub(crate) fn new(arm: &'a Dynamics<N>, share: f64) -> Result<Self, ProblemError> {
         let shares = std::array::from_fn(|i| if i % 2 == 0 { share } else { -share });
         let model = arm.with_mass_errors(&shares).map_err(|error| unusable(error.into()))?;
         Ok(Self { arm, model })
@@ -62,7 +62,7 @@ impl<'a, const N: usize> WrongModel<'a, N> {
     /// Follows a course by computed torque in joint space, `τ = M̂ (q̈_r + 20 ė + 100 e) + ĉ + ĝ`, from the course's own start.
     ///
     /// `q̈_r` is constant over each interval, `q̇_r` its integral. `None` where `q̇_r` jumps between two intervals.
-    pub(crate) fn follow(&self, course: &Course) -> Result<Option<ModelErrorRun>, LabError> {
+    pub(crate) fn follow(&self, course: &Course) -> Result<Option<ModelErrorRun>, ProblemError> {
         let Some(first) = course.samples.first().filter(|_| joins(course)) else { return Ok(None) };
         let start = vector(&course.start);
         let joints = SMatrix::from_columns(&[start, speed_at(first, 0.0), start]);
@@ -83,7 +83,7 @@ impl<'a, const N: usize> WrongModel<'a, N> {
     }
 
     /// The loop's rate `since` seconds after the start of an interval.
-    fn rate(&self, state: &State<N, 3>, interval: &CourseSample, since: f64) -> Result<State<N, 3>, LabError> {
+    fn rate(&self, state: &State<N, 3>, interval: &CourseSample, since: f64) -> Result<State<N, 3>, ProblemError> {
         let column = |i: usize| state.joints.column(i).into_owned();
         let (q, qd) = (column(POSITION), column(SPEED));
         let reference = speed_at(interval, since);
@@ -101,8 +101,8 @@ impl<'a, const N: usize> WrongModel<'a, N> {
     }
 }
 
-fn unusable(error: RobotError) -> LabError {
-    LabError::value("robot", error)
+fn unusable(error: RobotError) -> ProblemError {
+    ProblemError::value("robot", error)
 }
 
 fn vector<const N: usize>(values: &[f64]) -> JointVector<N> {

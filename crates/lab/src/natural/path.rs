@@ -1,4 +1,4 @@
-use crate::{CartesianPath, PathPoint};
+use slideway_path::{CartesianPath, PathPoint};
 use nalgebra::{Rotation3, Translation3, Vector3};
 use slideway_robot::augmented::PathTangent;
 use slideway_robot::{Pose, Twist};

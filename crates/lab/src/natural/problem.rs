@@ -1,4 +1,5 @@
 use super::path::{ParametrisedPath, PathState};
+use slideway_path::{CartesianPath, Fault, PathProblem, ProblemError, Reference};
 use slideway_robot::augmented::{Flow, SingularityConsistent, SpeedFactor};
 use slideway_robot::{Dynamics, JointVector, RobotError, SerialArm, Task};
 
@@ -22,7 +23,7 @@ pub struct NaturalProblem<const N: usize, P> {
 }
 
 impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
-    /// An arm without masses. The start is taken to lie on the path; [`NaturalProblem::start_error`] says how nearly.
+    /// An arm without masses. The start is taken to lie on the path.
     ///
     /// # Errors
     ///
@@ -74,12 +75,6 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
         &self.start
     }
 
-    /// Distance of the tool from the path at the start, m.
-    #[must_use]
-    pub fn start_error(&self) -> f64 {
-        self.distance_from_path(&self.start)
-    }
-
     /// Distance of the tool from its place on the path, in the coordinates of position that the task has, m.
     #[must_use]
     pub fn distance_from_path(&self, place: &PathPlace<N>) -> f64 {
@@ -93,5 +88,28 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
     pub fn flow(&self, place: &PathPlace<N>) -> Flow<N> {
         let PathState { tangent, .. } = self.path.at(place.parameter);
         self.inversion.flow(&self.arm, &place.q, &tangent)
+    }
+}
+
+impl<const N: usize> NaturalProblem<N, CartesianPath> {
+    /// The arm and the tool path of a problem, without masses.
+    ///
+    /// # Errors
+    ///
+    /// A path of the joints; a task that has not as many coordinates as the arm joints (lock a joint).
+    pub fn of(problem: &PathProblem<N>, factor: SpeedFactor) -> Result<Self, ProblemError> {
+        let Reference::Tool(tool) = &problem.reference else {
+            return Err(ProblemError::value("path.joints", Fault::Conflict("natural motion is about a path of the tool")));
+        };
+        let start = PathPlace { q: problem.start, parameter: tool.path.start() };
+        Self::new(problem.arm.clone(), tool.task, factor, tool.path.clone(), start).map_err(pointed)
+    }
+}
+
+/// The factor asks for a wrist, all else is a matter of the task.
+fn pointed(error: RobotError) -> ProblemError {
+    match error {
+        RobotError::NotSphericalWrist { reason } => ProblemError::value("natural.factor", Fault::NoWristFactor { reason }),
+        error => ProblemError::value("robot.task", error),
     }
 }

@@ -1,7 +1,7 @@
 use super::integrate::State;
 use super::path::ParametrisedPath;
 use super::problem::{NaturalProblem, PathPlace};
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use slideway_robot::augmented::{PathTorque, path_torque};
 
 /// Length of a step along the curve in augmented joint space, rad. The fourth-order method's error of a step of this length
@@ -39,9 +39,9 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
     ///
     /// # Errors
     ///
-    /// [`LabError::NoFiniteSpeed`] where `n̄` is zero or not finite, or the curve turns back (at a singularity it passes
+    /// [`ProblemError::NoFiniteSpeed`] where `n̄` is zero or not finite, or the curve turns back (at a singularity it passes
     /// through) and never reaches the end.
-    pub fn survey(&self, end: f64) -> Result<Survey<N>, LabError> {
+    pub fn survey(&self, end: f64) -> Result<Survey<N>, ProblemError> {
         let start = self.start();
         let towards = (end - start.parameter).signum();
         let sign = towards * self.flow(start).direction.path.signum();
@@ -65,7 +65,7 @@ impl<const N: usize, P: ParametrisedPath> NaturalProblem<N, P> {
             points.push(self.point(&last));
             return Ok(Survey { points });
         }
-        Err(LabError::NoFiniteSpeed { at: state.parameter })
+        Err(ProblemError::NoFiniteSpeed { at: state.parameter })
     }
 
     fn unit_rate(&self, state: &State<N, 1>, sign: f64) -> State<N, 1> {

@@ -3,7 +3,7 @@ use super::law::{Ramp, SpeedLaw};
 use super::metrics::NaturalMetrics;
 use super::path::Circle;
 use super::problem::{NaturalProblem, PathPlace};
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use crate::published::{Agreement, Printed, Published};
 use nalgebra::{Rotation3, Vector3};
 use slideway_robot::augmented::SpeedFactor;
@@ -43,9 +43,9 @@ pub fn limb_problem() -> Result<NaturalProblem<2, Circle>, RobotError> {
 ///
 /// # Errors
 ///
-/// [`LabError::NoFiniteSpeed`] for a constant speed that is not finite.
-pub fn limb_case(law: SpeedLaw) -> Result<NaturalMetrics, LabError> {
-    let problem = limb_problem().map_err(|error| LabError::value("robot", error))?;
+/// [`ProblemError::NoFiniteSpeed`] for a constant speed that is not finite.
+pub fn limb_case(law: SpeedLaw) -> Result<NaturalMetrics, ProblemError> {
+    let problem = limb_problem().map_err(|error| ProblemError::value("robot", error))?;
     let run = Run { law, ramp: Ramp::new(0.0, TABLE_1_INTERVAL)?, steps: STEPS };
     Ok(problem.follow(&run)?.metrics())
 }
@@ -128,7 +128,7 @@ const COLUMNS: [Column; 6] = [
 /// # Errors
 ///
 /// None with the numbers built in.
-pub fn table_1() -> Result<Vec<Published>, LabError> {
+pub fn table_1() -> Result<Vec<Published>, ProblemError> {
     let mut rows = Vec::new();
     for Column { case, law, printed, expected, remark } in COLUMNS {
         let NaturalMetrics { distance, peak_joint_speed, peak_torque, mean_power } = limb_case(law)?;

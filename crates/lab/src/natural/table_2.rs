@@ -4,7 +4,7 @@ use super::metrics::NaturalMetrics;
 use super::path::Circle;
 use super::problem::{NaturalProblem, PathPlace};
 use super::table_1::QUANTITIES;
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use crate::published::{Agreement, Printed, Published};
 use nalgebra::Vector3;
 use slideway_robot::augmented::SpeedFactor;
@@ -71,8 +71,8 @@ const INERTIAS: &str = "needs the inertias of the PA-10, which are not published
 /// # Errors
 ///
 /// None with the numbers built in.
-pub fn table_2() -> Result<Vec<Published>, LabError> {
-    let problem = pa10_problem().map_err(|error| LabError::value("robot", error))?;
+pub fn table_2() -> Result<Vec<Published>, ProblemError> {
+    let problem = pa10_problem().map_err(|error| ProblemError::value("robot", error))?;
     // The ramps at both ends cost as much way as one of them lasts.
     let interval = problem.survey(PI + WAY)?.duration(B) + RISE;
     let cycle = problem.survey(3.0 * PI)?;

@@ -1,8 +1,8 @@
-use crate::error::{Fault, LabError};
-use crate::limits::EndRate;
+use slideway_path::{Fault, ProblemError};
+use slideway_path::EndRate;
 use crate::problem::Problem;
 use crate::run::controller::Demand;
-use crate::run::law::{Decision, Situation};
+use crate::run::decision::{Decision, Situation};
 use crate::run::path_window::PathWindow;
 use slideway_conditioner::acceleration::{
     AccelerationCommand, AccelerationLimits, AccelerationRegulator, AccelerationSettings, AccelerationState, LookAhead,
@@ -30,21 +30,21 @@ pub(crate) struct AccelerationLaw<const N: usize> {
 }
 
 impl<const N: usize> AccelerationLaw<N> {
-    pub(crate) fn new(problem: &Problem<N>, sight: Sight) -> Result<Self, LabError> {
+    pub(crate) fn new(problem: &Problem<N>, sight: Sight) -> Result<Self, ProblemError> {
         let missing = Fault::Missing(
             "the acceleration-limited methods need joint-acceleration limits and speed limits that do not vary along the path, and rest at its ends",
         );
-        let limits = online_limits(problem).ok_or_else(|| LabError::value("limits.acceleration", missing))?;
+        let limits = online_limits(problem).ok_or_else(|| ProblemError::value("limits.acceleration", missing))?;
         let control = &problem.control;
         let regulator = AccelerationRegulator::new(AccelerationSettings {
-            speed_limits: problem.speed_limits,
+            speed_limits: problem.path.speed_limits,
             acceleration_limits: limits,
             sampling_period: control.sampling_period,
             bandwidth: control.bandwidth,
             target_rate: control.target_rate,
             recovery: Recovery::Braking { gain: control.gain },
         })
-        .map_err(|error| LabError::value("control", error))?;
+        .map_err(|error| ProblemError::value("control", error))?;
         let ahead = match sight {
             Sight::Blind => None,
             Sight::Window => Some((look_ahead(problem, limits)?, PathWindow::new(problem))),
@@ -90,7 +90,7 @@ impl<const N: usize> AccelerationLaw<N> {
                 factor: command.factor,
                 switch: command.switch,
                 direction_factor: if command.keeping == PathKeeping::OnPath { 1.0 } else { 0.0 },
-                limit_ratio: problem.speed_limits.ratio(&command.desired),
+                limit_ratio: problem.path.speed_limits.ratio(&command.desired),
             },
             desired: command.desired,
             demand_factor: command.factor,
@@ -102,20 +102,20 @@ impl<const N: usize> AccelerationLaw<N> {
 /// The limits under which the acceleration-limited methods run: constant ones, from rest to rest. `None` for any other problem.
 pub(crate) fn online_limits<const N: usize>(problem: &Problem<N>) -> Option<AccelerationLimits<N>> {
     let rests = |rate: EndRate| matches!(rate, EndRate::ByLimits | EndRate::Given(0.0));
-    if problem.speed_along.is_some() || !rests(problem.start_rate) || !rests(problem.end_rate) {
+    if problem.path.speed_along.is_some() || !rests(problem.path.start_rate) || !rests(problem.path.end_rate) {
         return None;
     }
-    let range = problem.acceleration_limits.as_ref()?.constant()?;
+    let range = problem.path.acceleration_limits.as_ref()?.constant()?;
     AccelerationLimits::new(range.lower, range.upper).ok()
 }
 
-fn look_ahead<const N: usize>(problem: &Problem<N>, limits: AccelerationLimits<N>) -> Result<LookAhead<N>, LabError> {
+fn look_ahead<const N: usize>(problem: &Problem<N>, limits: AccelerationLimits<N>) -> Result<LookAhead<N>, ProblemError> {
     LookAhead::new(LookAheadSettings {
-        speed_limits: problem.speed_limits,
+        speed_limits: problem.path.speed_limits,
         acceleration_limits: limits,
         sampling_period: problem.control.sampling_period,
         target_rate: problem.control.target_rate,
         margin: problem.control.look_ahead.margin,
     })
-    .map_err(|error| LabError::value("control.look_ahead.margin", error))
+    .map_err(|error| ProblemError::value("control.look_ahead.margin", error))
 }

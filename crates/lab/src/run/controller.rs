@@ -1,6 +1,6 @@
-use crate::path::PathPoint;
-use crate::path::joint_curve::JointCurve;
-use crate::path::reference::{Reference, ToolReference};
+use slideway_path::PathPoint;
+use slideway_path::JointCurve;
+use slideway_path::{Reference, ToolReference};
 use crate::problem::Problem;
 use crate::run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
 use nalgebra::{Vector3, Vector6};
@@ -45,24 +45,15 @@ impl<const N: usize> Problem<N> {
     /// Evaluates the controller at a configuration and path parameter; `euler` is the triple one sample earlier.
     #[must_use]
     pub fn demand(&self, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
-        match &self.path {
+        match &self.path.reference {
             Reference::Tool(tool) => self.tool_demand(tool, q, euler, lambda),
             Reference::Joint(curve) => self.joint_demand(curve, q, euler, lambda),
         }
     }
 
-    /// Where the tool is to be at a path parameter.
-    #[must_use]
-    pub fn reference_pose(&self, lambda: f64) -> Pose {
-        match &self.path {
-            Reference::Tool(tool) => tool.path.at(lambda).pose,
-            Reference::Joint(curve) => self.arm.forward(&curve.at(lambda)[0]),
-        }
-    }
-
     fn tool_demand(&self, tool: &ToolReference, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
-        let frames = self.arm.frames(q);
-        let jacobian = self.arm.jacobian_at(&frames);
+        let frames = self.path.arm.frames(q);
+        let jacobian = self.path.arm.jacobian_at(&frames);
         let euler = euler::nearest(&frames.tool.rotation, euler);
         let state = ToolState { pose: &frames.tool, euler };
         let reference = tool.path.at(lambda);
@@ -80,10 +71,10 @@ impl<const N: usize> Problem<N> {
 
     fn joint_demand(&self, curve: &JointCurve<N>, q: &JointVector<N>, euler: &EulerAngles, lambda: f64) -> Demand<N> {
         let [reference, path_speed, _] = curve.at(lambda);
-        let tool = self.arm.forward(q);
+        let tool = self.path.arm.forward(q);
         let to_reference = reference - q;
         Demand {
-            error: pose_error(&self.arm.forward(&reference), &tool),
+            error: pose_error(&self.path.arm.forward(&reference), &tool),
             distance: self.joint_distance(&to_reference),
             euler: euler::nearest(&tool.rotation, euler),
             feedback: to_reference * self.control.gain,
@@ -97,7 +88,7 @@ impl<const N: usize> Problem<N> {
             JointKind::Revolute => ARRIVAL_ORIENTATION,
             JointKind::Prismatic => ARRIVAL_POSITION,
         };
-        let shares = error.iter().zip(self.arm.joints()).map(|(e, joint)| e.abs() / tolerance(joint.kind));
+        let shares = error.iter().zip(self.path.arm.joints()).map(|(e, joint)| e.abs() / tolerance(joint.kind));
         shares.fold(0.0, f64::max)
     }
 }

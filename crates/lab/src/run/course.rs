@@ -1,5 +1,5 @@
-use crate::robot::MAX_JOINTS;
-use crate::run::joint_units::JointUnits;
+use crate::joints::MAX_JOINTS;
+use crate::joints::JointUnits;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 

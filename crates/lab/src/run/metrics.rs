@@ -1,4 +1,4 @@
-use crate::run::law::Method;
+use crate::method::Method;
 use crate::run::trace::{Sample, Trace};
 use serde::{Deserialize, Serialize};
 

@@ -1,10 +1,10 @@
-use crate::error::LabError;
-use crate::joint_path::JointPath;
+use slideway_path::ProblemError;
+use slideway_path::JointPath;
 use crate::problem::Problem;
-use crate::robot::MAX_JOINTS;
+use crate::joints::MAX_JOINTS;
 use crate::run::course::{Course, CourseSample, ProfilePoint};
-use crate::run::joint_units::JointUnits;
-use crate::run::simulate::pad;
+use crate::joints::JointUnits;
+use crate::joints::pad;
 use crate::run::trace::{Sample, Trace};
 use slideway_robot::{Dynamics, JointVector};
 
@@ -43,7 +43,7 @@ impl<const N: usize> Moment<N> {
 }
 
 /// The course of a run, from the first motion of its reference to the reference's end.
-pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&Dynamics<N>>, trace: &Trace) -> Course {
+pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, trace: &Trace) -> Course {
     let following = trace.following();
     let start = following.iter().position(|s| s.path_rate > 0.0).unwrap_or(following.len());
     // The last sample of a regulated run is cut short at the path's end: its command is not one of the law's.
@@ -53,39 +53,38 @@ pub(crate) fn course_of<const N: usize>(problem: &Problem<N>, dynamics: Option<&
     let moments: Vec<Moment<N>> = moving.iter().map(Moment::of).collect();
     Course {
         joints: N,
-        units: JointUnits::of(&problem.arm),
-        path: problem.path.start()..problem.path.end(),
+        units: JointUnits::of(&problem.path.arm),
+        path: problem.path.begin()..problem.path.end(),
         settled_s: settled.map_or(0.0, |s| s.t),
         start: moments.first().map_or([0.0; MAX_JOINTS], |m| pad(&m.q)),
-        samples: moments.windows(2).map(|w| w[0].on_to(&w[1], dynamics)).collect(),
+        samples: moments.windows(2).map(|w| w[0].on_to(&w[1], problem.dynamics.as_ref())).collect(),
     }
 }
 
 /// The course of an optimum's profile. Intervals at whose ends the rate has no bound are left out.
 pub(crate) fn course_along<const N: usize>(
     problem: &Problem<N>,
-    dynamics: Option<&Dynamics<N>>,
     path: &JointPath<N>,
     profile: &[ProfilePoint],
-) -> Result<Course, LabError> {
+) -> Result<Course, ProblemError> {
     let mut samples = Vec::new();
     let mut start = None;
     for pair in profile.windows(2).filter(|w| w[0].piece == w[1].piece && w[0].t < w[1].t) {
         let Some(piece) = path.pieces().get(pair[0].piece) else { continue };
-        let moment = |point: &ProfilePoint| -> Result<Moment<N>, LabError> {
-            let at = piece.at(problem, point.s)?;
+        let moment = |point: &ProfilePoint| -> Result<Moment<N>, ProblemError> {
+            let at = piece.at(&problem.path, point.s)?;
             Ok(Moment { t: point.t, lambda: at.lambda, q: at.q, speed: at.first * point.rate })
         };
         if pair.iter().all(|p| p.rate.is_finite()) {
             let from = moment(&pair[0])?;
             start = start.or(Some(pad(&from.q)));
-            samples.push(from.on_to(&moment(&pair[1])?, dynamics));
+            samples.push(from.on_to(&moment(&pair[1])?, problem.dynamics.as_ref()));
         }
     }
     Ok(Course {
         joints: N,
-        units: JointUnits::of(&problem.arm),
-        path: problem.path.start()..problem.path.end(),
+        units: JointUnits::of(&problem.path.arm),
+        path: problem.path.begin()..problem.path.end(),
         settled_s: 0.0,
         start: start.unwrap_or([0.0; MAX_JOINTS]),
         samples,

@@ -31,7 +31,7 @@ impl<const N: usize> PathWindow<N> {
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub(crate) fn new(problem: &Problem<N>) -> Self {
         let options = &problem.control.look_ahead;
-        let length = problem.path.end() - problem.path.start();
+        let length = problem.path.end() - problem.path.begin();
         let distance = options.distance.unwrap_or(0.25 * length).min(length);
         let intervals = (length / distance * options.nodes as f64).ceil().max(1.0);
         let mut window = Self {
@@ -39,7 +39,7 @@ impl<const N: usize> PathWindow<N> {
             intervals: intervals as usize,
             seen: (distance / length * intervals).ceil() as usize,
             spacing: length / intervals,
-            q: problem.path_start,
+            q: problem.path.start,
             euler: problem.start_euler,
         };
         let first = window.found(problem, 0);
@@ -50,7 +50,7 @@ impl<const N: usize> PathWindow<N> {
     /// The window from a path parameter on.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub(crate) fn preview(&mut self, problem: &Problem<N>, lambda: f64) -> Preview<'_, N> {
-        let ahead = (lambda - problem.path.start()).max(0.0);
+        let ahead = (lambda - problem.path.begin()).max(0.0);
         let behind = ((ahead / self.spacing) as usize).min(self.intervals);
         // One more than the window holds, for the robot stands between two nodes: it never sees less.
         let last = (behind + self.seen + 1).min(self.intervals);
@@ -66,7 +66,7 @@ impl<const N: usize> PathWindow<N> {
     #[allow(clippy::cast_precision_loss)]
     fn node(&mut self, problem: &Problem<N>) -> [f64; N] {
         let before = self.path_speeds.len() - 1;
-        let lambda = problem.path.start() + before as f64 * self.spacing;
+        let lambda = problem.path.begin() + before as f64 * self.spacing;
         let half = 0.5 * self.spacing;
         let speed = problem.demand(&self.q, &self.euler, lambda).path_speed;
         let middle = problem.demand(&(self.q + speed * half), &self.euler, lambda + half).path_speed;
@@ -77,7 +77,7 @@ impl<const N: usize> PathWindow<N> {
     /// Brings the prediction onto the path at a node.
     #[allow(clippy::cast_precision_loss)]
     fn found(&mut self, problem: &Problem<N>, node: usize) -> [f64; N] {
-        let lambda = problem.path.start() + node as f64 * self.spacing;
+        let lambda = problem.path.begin() + node as f64 * self.spacing;
         for _ in 0..NEWTON_STEPS {
             let demand = problem.demand(&self.q, &self.euler, lambda);
             let step = demand.feedback / problem.control.gain;

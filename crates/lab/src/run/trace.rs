@@ -1,6 +1,6 @@
-use crate::robot::MAX_JOINTS;
-use crate::run::joint_units::JointUnits;
-use crate::run::law::Method;
+use crate::joints::MAX_JOINTS;
+use crate::joints::JointUnits;
+use crate::method::Method;
 use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;
 use std::io;
@@ -12,6 +12,8 @@ pub struct Trace {
     pub method: Method,
     /// Number of joints; entries of the joint arrays beyond it are zero.
     pub joints: usize,
+    /// Names of the joints, from base to tip.
+    pub joint_names: Vec<String>,
     /// Units of the joints.
     pub units: [JointUnits; MAX_JOINTS],
     /// Sampling period that the controller counts on, s.

@@ -2,7 +2,8 @@ use super::signals::Loop;
 use super::{conditioning, speed_loop, speed_observed};
 use crate::error::VerifyError;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem};
-use slideway_lab::{Experiment, Method, Scenario, Trace};
+use slideway_lab::{Experiment, Method, Trace};
+use slideway_scenario::Scenario;
 
 /// One number that a run showed.
 #[derive(Clone, Debug, PartialEq)]

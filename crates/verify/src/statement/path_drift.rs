@@ -1,6 +1,6 @@
 //! How fast the limit drifts along a path, beside how fast the filter falls.
 
-use slideway_lab::SampledPath;
+use slideway_path::SampledPath;
 
 /// `ln slowness` over the path parameter, from a sampled path; `slowness = 1 / λ̇*`.
 #[derive(Clone, Debug)]

@@ -3,7 +3,8 @@
 use super::path_drift::PathDrift;
 use slideway_conditioner::SpeedLimits;
 use slideway_conditioner::bounds::{Progress, ProgressForm, ProgressSums, SignalBand, Signals};
-use slideway_lab::{ControlSettings, MAX_JOINTS, Method, MethodSummary, Sample, SampledPath, Trace};
+use slideway_lab::{ControlSettings, MAX_JOINTS, Method, MethodSummary, Sample, Trace};
+use slideway_path::SampledPath;
 
 /// Below this use of the limits the feedback counts as settled.
 pub(crate) const SETTLED: f64 = 0.05;

@@ -8,7 +8,9 @@ use super::speed_declared::declared;
 use super::speed_loop::loop_on;
 use crate::error::VerifyError;
 use slideway_conditioner::bounds::Signals;
-use slideway_lab::{Experiment, Method, SampledPath, Scenario, Trace};
+use slideway_lab::{Experiment, Method, Trace};
+use slideway_path::SampledPath;
+use slideway_scenario::Scenario;
 
 /// What a statement about a speed law rests on, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +56,8 @@ pub(crate) struct SpeedCase {
 impl SpeedCase {
     /// For a method, or the one that `compare` judges.
     pub(crate) fn new(scenario: &Scenario, method: Option<Method>) -> Result<Self, VerifyError> {
-        let experiment = Experiment::new(scenario)?;
-        let method = method.map_or_else(|| experiment.judged_method(scenario), Ok)?;
+        let experiment = scenario.experiment()?;
+        let method = method.map_or_else(|| experiment.judged_method(scenario.judged_method()), Ok)?;
         let (looked, path) = loop_on(scenario, &experiment, method)?;
         let trace = experiment.run(method)?;
         let (nominal, measures) = (looked.signals(&trace), looked.measures(&trace));

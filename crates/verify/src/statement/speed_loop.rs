@@ -4,7 +4,9 @@ use super::path_drift::PathDrift;
 use super::signals::Loop;
 use crate::error::VerifyError;
 use slideway_baselines::time_optimal::time_optimum;
-use slideway_lab::{Experiment, Method, SampledPath, Scenario};
+use slideway_lab::{Experiment, Method};
+use slideway_path::SampledPath;
+use slideway_scenario::Scenario;
 
 /// Samples between the grid points of the optimum at which the path's drift is read.
 const BETWEEN: usize = 7;

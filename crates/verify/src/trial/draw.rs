@@ -1,7 +1,8 @@
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
 use slideway_lab::conditioning::PathDisturbances;
-use slideway_lab::{Disturbances, VerifyOptions};
+use slideway_lab::Disturbances;
+use slideway_scenario::VerifyOptions;
 use toml::{Table, Value};
 
 /// Kinds of disturbances, by their keys in the table `[disturbances]`.

@@ -4,7 +4,8 @@ use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
 use crate::statement::{Guarantee, Observed, Observer, SpeedCase, Statement};
-use slideway_lab::{Disturbances, Experiment, Method, MethodSummary, Sample, Scenario, Trace};
+use slideway_lab::{Disturbances, Experiment, Method, MethodSummary, Sample, Trace};
+use slideway_scenario::Scenario;
 
 const COMMAND: Always = Always {
     name: "command-within-limits",

@@ -3,7 +3,8 @@ use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predicti
 use crate::error::VerifyError;
 use crate::statement::{ConditioningCase, Statement, room, shown_down, shown_up};
 use slideway_conditioner::path::SwitchingLaw;
-use slideway_lab::conditioning::{ConditioningScenario, PathMethod};
+use slideway_lab::conditioning::PathMethod;
+use slideway_scenario::ConditioningScenario;
 
 /// How often the push is adapted to what the run shows of the drift.
 const ROUNDS: usize = 8;

@@ -7,7 +7,7 @@ mod speed;
 use crate::error::VerifyError;
 use crate::statement::Statement;
 use serde::{Deserialize, Serialize};
-use slideway_lab::{ScenarioKind, scenario_kind};
+use slideway_scenario::AnyScenario;
 use std::path::PathBuf;
 
 /// Share by which every hypothesis about the settings is to hold.
@@ -105,9 +105,9 @@ pub fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
             return Err(VerifyError::NotPositive { what, value });
         }
     }
-    match scenario_kind(&request.text) {
-        ScenarioKind::Speed => speed::tune(request),
-        ScenarioKind::Conditioning => conditioning::tune(request),
+    match AnyScenario::parse(&request.name, &request.text)? {
+        AnyScenario::Speed(_) => speed::tune(request),
+        AnyScenario::Conditioning(_) => conditioning::tune(request),
     }
 }
 

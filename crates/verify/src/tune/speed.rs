@@ -2,7 +2,8 @@ use super::document::{Setting, replaced};
 use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
 use crate::error::VerifyError;
 use crate::statement::{SpeedCase, Statement, shown_down, shown_up};
-use slideway_lab::{Method, Scenario};
+use slideway_lab::Method;
+use slideway_scenario::Scenario;
 
 /// Filter steps beyond this gain nothing: what the switching costs, about `a / 2` of the speed, is more than what the approach saves.
 const LARGEST_STEP: f64 = 0.2;

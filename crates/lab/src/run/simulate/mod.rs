@@ -1,13 +1,14 @@
 mod record;
 mod settle;
 
-use crate::error::LabError;
+use slideway_path::ProblemError;
 use crate::problem::{Integration, Problem};
-use crate::robot::MAX_JOINTS;
 use crate::run::controller::Demand;
-use crate::run::disturbances::{World, displaced};
-use crate::run::joint_units::JointUnits;
-use crate::run::law::{Decision, Law, Method, Situation};
+use crate::run::world::{World, displaced};
+use crate::joints::JointUnits;
+use crate::method::Method;
+use crate::run::decision::{Decision, Situation};
+use crate::run::law::Law;
 use crate::run::trace::Trace;
 use slideway_robot::{EulerAngles, JointVector};
 
@@ -20,7 +21,7 @@ pub(crate) fn simulate<const N: usize>(
     method: Method,
     fixed_rate: f64,
     horizon: f64,
-) -> Result<Trace, LabError> {
+) -> Result<Trace, ProblemError> {
     let mut run = Run::new(problem, method, fixed_rate, horizon)?;
     while run.t() < horizon && run.trace.samples.len() < MAX_SAMPLES && run.is_finite() {
         if run.trace.finish_s.is_none() {
@@ -70,7 +71,7 @@ struct Run<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Run<'a, N> {
-    fn new(problem: &'a Problem<N>, method: Method, fixed_rate: f64, horizon: f64) -> Result<Self, LabError> {
+    fn new(problem: &'a Problem<N>, method: Method, fixed_rate: f64, horizon: f64) -> Result<Self, ProblemError> {
         let (period, integration) = if method.is_regulated() {
             (problem.control.sampling_period, Integration::Euler)
         } else {
@@ -84,7 +85,7 @@ impl<'a, const N: usize> Run<'a, N> {
             horizon,
             elapsed: period,
             drift: 0.0,
-            lambda: problem.path.start(),
+            lambda: problem.path.begin(),
             q: displaced(&problem.start, &problem.disturbances),
             euler: problem.start_euler,
             seen_euler: problem.start_euler,
@@ -95,7 +96,8 @@ impl<'a, const N: usize> Run<'a, N> {
             trace: Trace {
                 method,
                 joints: N,
-                units: JointUnits::of(&problem.arm),
+                joint_names: problem.joint_names.clone(),
+                units: JointUnits::of(&problem.path.arm),
                 sampling_period: period,
                 finish_s: None,
                 arrival_s: None,
@@ -138,15 +140,15 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 
     /// One sample of following the path.
-    fn follow(&mut self) -> Result<(), LabError> {
+    fn follow(&mut self) -> Result<(), ProblemError> {
         let t = self.t();
         let remaining = self.problem.path.end() - self.lambda;
         let observed = self.observe();
         let demand = observed.demand;
         let here = Situation {
             lambda: self.lambda,
-            limits: self.problem.speed_limits_at(self.lambda)?,
-            tool_rate: self.problem.tool_rate_limit(self.lambda),
+            limits: self.problem.path.speed_limits_at(self.lambda)?,
+            tool_rate: self.problem.path.tool_rate_limit(self.lambda),
             to_end: remaining / self.period,
         };
         let law_before = self.law.clone();
@@ -155,7 +157,7 @@ impl<'a, const N: usize> Run<'a, N> {
         self.begin_period();
         let rate = decision.command.path_rate;
         // A remainder below 1e-12 of the path is rounding of the summed steps.
-        let span = self.problem.path.end() - self.problem.path.start();
+        let span = self.problem.path.end() - self.problem.path.begin();
         if remaining - decision.advance_rate * self.period <= 1e-12 * span && rate > 0.0 {
             // The controller counts on a whole period; its share is that of the real one.
             self.trace.finish_s = Some(t + remaining / rate * (self.elapsed / self.period));
@@ -194,13 +196,4 @@ impl<'a, const N: usize> Run<'a, N> {
         let k4 = slope(self.q + k3 * h, 1.0);
         self.q + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (h / 6.0)
     }
-}
-
-/// Joint values in an array of every number of joints.
-pub(crate) fn pad<const N: usize>(values: &JointVector<N>) -> [f64; MAX_JOINTS] {
-    let mut padded = [0.0; MAX_JOINTS];
-    for (slot, value) in padded.iter_mut().zip(values.iter()) {
-        *slot = *value;
-    }
-    padded
 }

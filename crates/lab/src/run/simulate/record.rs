@@ -1,9 +1,9 @@
 //! What a sample leaves in the trace.
 
-use super::{Observed, Run, pad};
-use crate::robot::MAX_JOINTS;
+use super::{Observed, Run};
+use crate::joints::{MAX_JOINTS, pad};
 use crate::run::controller::Demand;
-use crate::run::law::Decision;
+use crate::run::decision::Decision;
 use crate::run::trace::{Chatter, Sample};
 use slideway_conditioner::{AffineSpeed, SpeedLimits, bounds};
 
@@ -56,7 +56,7 @@ impl<const N: usize> Run<'_, N> {
         let filter_step = control.filter_step();
         let (last, last_factor, last_desired) = before;
         let mut chatter = Chatter { measured: 0.0, bound: 0.0, estimate: 0.0 };
-        let limits = &self.problem.speed_limits;
+        let limits = &self.problem.path.speed_limits;
         for i in 0..N {
             let limit = limits.upper()[i].min(-limits.lower()[i]);
             let feedforward = demand.path_speed[i] * control.target_rate;

@@ -1,8 +1,10 @@
 //! The robot catches up with a reference at its end.
 
-use super::{Observed, Run, pad};
-use crate::error::LabError;
-use crate::run::law::{Law, Method};
+use super::{Observed, Run};
+use crate::joints::pad;
+use crate::method::Method;
+use slideway_path::ProblemError;
+use crate::run::law::Law;
 use crate::run::trace::Sample;
 use slideway_conditioner::Saturation;
 
@@ -12,7 +14,7 @@ const STANDS: f64 = 1e-9;
 impl<const N: usize> Run<'_, N> {
     /// One sample of the robot catching up with a reference at its end; whether there is nothing to wait for: it has arrived, or it stands
     /// elsewhere, where a controller that is wrong about its joints sees it arrived.
-    pub(super) fn settle(&mut self) -> Result<bool, LabError> {
+    pub(super) fn settle(&mut self) -> Result<bool, ProblemError> {
         let t = self.t();
         let observed = self.observe();
         // To have arrived is a fact, whatever the controller sees.
@@ -21,7 +23,7 @@ impl<const N: usize> Run<'_, N> {
             return Ok(self.settle_under_acceleration_limits(t, &observed));
         }
         let desired: [f64; N] = observed.demand.feedback.into();
-        let limits = self.problem.speed_limits_at(self.lambda)?;
+        let limits = self.problem.path.speed_limits_at(self.lambda)?;
         let saturation =
             if self.trace.method == Method::Saturated { Saturation::Direct } else { Saturation::DirectionPreserving };
         let mut joint_speed = limits.saturate(&desired, saturation).joint_speed;
@@ -59,7 +61,7 @@ impl<const N: usize> Run<'_, N> {
         let Law::Acceleration(law) = &mut self.law else { return true };
         let could_stand = law.can_stand();
         let decision = law.settle(self.problem, &observed.demand);
-        self.record(t, observed, &decision, &self.problem.speed_limits);
+        self.record(t, observed, &decision, &self.problem.path.speed_limits);
         let distance = observed.truth.distance;
         if distance <= 1.0 && could_stand {
             let stopped_inside = self.settling.is_some_and(|before| before <= 1.0);

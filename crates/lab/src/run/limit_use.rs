@@ -1,0 +1,123 @@
+use slideway_path::ProblemError;
+use slideway_path::LimitKind;
+use slideway_path::JointRange;
+use crate::problem::Problem;
+use crate::run::trace::{Sample, Trace};
+use serde::{Deserialize, Serialize};
+use slideway_robot::JointVector;
+
+/// The largest use that a run made of one kind of limit while the reference moved.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LimitUse {
+    /// What is limited.
+    pub kind: LimitKind,
+    /// The joint, counted from 0; 0 for the tool.
+    pub joint: usize,
+    /// Path parameter where.
+    pub lambda: f64,
+    /// Share of the limit: 1 is the limit itself.
+    pub share: f64,
+}
+
+/// The motion at one sample: speeds are held over samples, accelerations are their change over one.
+struct Instant<const N: usize> {
+    lambda: f64,
+    q: JointVector<N>,
+    speed: JointVector<N>,
+    acceleration: JointVector<N>,
+    tool_speed: f64,
+    tool_acceleration: f64,
+}
+
+impl<const N: usize> Problem<N> {
+    /// What a run used of each kind of limit that the scenario gives, besides the constant joint-speed limits of
+    /// [`crate::MethodSummary::limit_ratio_peak`]. Commanded speeds count, over the samples in which the reference moves.
+    pub(crate) fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
+        let following = trace.following();
+        let start = following.iter().position(|s| s.path_rate > 0.0).unwrap_or(following.len());
+        let mut worst: Vec<LimitUse> = Vec::new();
+        for pair in following[start..].windows(2) {
+            let instant = self.instant(&pair[0], &pair[1], trace.sampling_period);
+            for found in self.uses(&instant) {
+                match worst.iter_mut().find(|w| w.kind == found.kind) {
+                    None => worst.push(found),
+                    // Not a number is the worst of all.
+                    Some(known) if !(found.share <= known.share) && !known.share.is_nan() => *known = found,
+                    Some(_) => {}
+                }
+            }
+        }
+        worst
+    }
+
+    /// Largest share of a joint-speed limit used by a command; infinite for one that is not a number.
+    pub(crate) fn command_use(&self, trace: &Trace) -> Result<f64, ProblemError> {
+        let mut largest = 0.0_f64;
+        for sample in &trace.samples {
+            let limits = self.path.speed_limits_at(sample.lambda)?;
+            largest = largest.max(limits.ratio(&std::array::from_fn(|i| sample.commanded[i])));
+        }
+        Ok(largest)
+    }
+
+    fn instant(&self, before: &Sample, here: &Sample, period: f64) -> Instant<N> {
+        let vector = |values: &[f64]| JointVector::<N>::from_fn(|i, _| values[i]);
+        let tool =
+            |s: &Sample| (self.path.arm.jacobian(&vector(&s.q)) * vector(&s.commanded)).fixed_rows::<3>(0).into_owned();
+        let (q, speed) = (vector(&here.q), vector(&here.commanded));
+        Instant {
+            lambda: here.lambda,
+            q,
+            speed,
+            acceleration: (speed - vector(&before.commanded)) / period,
+            tool_speed: tool(here).norm(),
+            tool_acceleration: (tool(here) - tool(before)).norm() / period,
+        }
+    }
+
+    fn uses(&self, instant: &Instant<N>) -> Vec<LimitUse> {
+        let mut uses = Vec::new();
+        if let Some(bounds) = &self.path.speed_along {
+            uses.extend(worst(LimitKind::JointSpeed, instant.lambda, &instant.speed, &bounds.at(instant.lambda)));
+        }
+        if let Some(bounds) = &self.path.acceleration_limits {
+            let range = bounds.at(instant.lambda);
+            uses.extend(worst(LimitKind::JointAcceleration, instant.lambda, &instant.acceleration, &range));
+        }
+        if let Some(limits) = &self.path.torque_limits {
+            let torque = limits.dynamics.inverse(&instant.q, &instant.speed, &instant.acceleration);
+            uses.extend(worst(LimitKind::JointTorque, instant.lambda, &torque, &limits.bounds.at(instant.lambda)));
+        }
+        let tool =
+            |kind, value: f64, limit: f64| LimitUse { kind, joint: 0, lambda: instant.lambda, share: value / limit };
+        uses.extend(self.path.tool_limits.speed.map(|limit| tool(LimitKind::ToolSpeed, instant.tool_speed, limit)));
+        let acceleration = self.path.tool_limits.acceleration;
+        uses.extend(acceleration.map(|limit| tool(LimitKind::ToolAcceleration, instant.tool_acceleration, limit)));
+        uses
+    }
+}
+
+/// The joint that uses most of its limit.
+fn worst<const N: usize>(
+    kind: LimitKind,
+    lambda: f64,
+    values: &JointVector<N>,
+    range: &JointRange<N>,
+) -> Option<LimitUse> {
+    (0..N)
+        .map(|joint| LimitUse {
+            kind,
+            joint,
+            lambda,
+            share: share(values[joint], range.lower[joint], range.upper[joint]),
+        })
+        .max_by(|a, b| a.share.total_cmp(&b.share))
+}
+
+/// Share of the bound on the value's side of zero; where zero is outside the bounds, 1 plus the excess over half their range.
+fn share(value: f64, lower: f64, upper: f64) -> f64 {
+    if lower < 0.0 && upper > 0.0 {
+        return (value / upper).max(value / lower);
+    }
+    1.0 + (value - upper).max(lower - value) / (0.5 * (upper - lower))
+}

@@ -1,0 +1,32 @@
+//! Scenario files: tables of TOML and way-points of CSV, read into problems, with the key of what is wrong and what to do about it.
+//!
+//! ```
+//! use slideway_lab::Method;
+//! use slideway_scenario::Scenario;
+//!
+//! let scenario = Scenario::built_in("puma-helix-on-path").expect("built in")?;
+//! let trace = scenario.experiment()?.run(Method::SlidingModeImplicit)?;
+//! assert!(trace.finish_s.is_some());
+//! # Ok::<(), slideway_scenario::ScenarioError>(())
+//! ```
+
+mod any;
+mod built_in;
+mod conditioning;
+mod error;
+mod read;
+mod speed;
+pub mod sweep;
+mod tables;
+mod text;
+
+pub use any::AnyScenario;
+pub use built_in::{BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, TEMPLATE};
+pub use conditioning::ConditioningScenario;
+pub use error::ScenarioError;
+pub use read::number_table::{NumberTable, TableError};
+pub use read::robot::robot_in;
+pub use speed::Scenario;
+pub use tables::Expectation;
+pub use tables::verify_options::VerifyOptions;
+pub use text::locate;

@@ -1,0 +1,32 @@
+//! Many runs of one scenario: over the seeds of its random walk, over a grid of parameters, or both.
+//!
+//! A [`SweepPlan`] numbers its runs; what a run yields depends on the plan and the number alone, so any number of threads
+//! and any number of interruptions give the same rows.
+//!
+//! ```
+//! use slideway_scenario::sweep::{Axis, SweepPlan, SweepRequest};
+//!
+//! let axes = vec![Axis::parse("control.bandwidth=5,10")?];
+//! let text = slideway_scenario::BUILT_IN[0].text.to_owned();
+//! let plan = SweepPlan::new(SweepRequest { axes, ..SweepRequest::of("puma-helix", text) })?;
+//! assert_eq!(plan.runs(), 2);
+//! # Ok::<(), slideway_scenario::sweep::SweepError>(())
+//! ```
+
+mod cell;
+mod columns;
+mod error;
+mod plan;
+mod row;
+mod run;
+mod setting;
+mod statistics;
+mod summary;
+
+pub use error::SweepError;
+pub use plan::{MAX_RUNS, SweepPlan, SweepRequest};
+pub use row::SweepRow;
+pub use run::{RowSink, run_sweep};
+pub use setting::{Axis, Setting, shown};
+pub use statistics::{Statistics, quantile};
+pub use summary::{CellSummary, Failures, SweepSummary, SweepTotals};
