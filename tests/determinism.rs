@@ -1,8 +1,8 @@
 //! The same input gives the same bits: between commits, on any number of threads, in debug and in release.
 
 use slideway_lab::conditioning::{ConditionedTrace, PathMethod, run_conditioner};
-use slideway_scenario::ConditioningScenario;
 use slideway_lab::{Experiment, Method, Trace, in_parallel};
+use slideway_scenario::ConditioningScenario;
 use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::Hasher as _;

@@ -3,7 +3,7 @@
 use slideway_baselines::time_optimal::{TimeOptimum, refine_optimum, time_optimum};
 use slideway_lab::{Experiment, Method};
 use slideway_path::LimitKind;
-use slideway_scenario::{Scenario};
+use slideway_scenario::Scenario;
 
 /// A planar two-joint arm of 1 m links whose joints go straight from `from` to `to`, with the given limits.
 fn joint_line(from: &str, to: &str, limits: &str) -> String {

@@ -13,7 +13,7 @@ const PRINTED: [[f64; 7]; 4] = [
 ];
 
 fn experiment(text: &str) -> Experiment {
-    Experiment::new(&Scenario::parse("test", text).expect("valid scenario")).expect("valid problem")
+    Scenario::parse("test", text).expect("valid scenario").experiment().expect("valid problem")
 }
 
 fn built_in(name: &str) -> (String, Experiment) {

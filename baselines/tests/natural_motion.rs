@@ -4,8 +4,8 @@ use slideway_baselines::time_optimal::time_optimum;
 use slideway_lab::natural::{NaturalProblem, Survey, TABLE_1_INTERVAL, limb_problem, pa10_problem};
 use slideway_lab::{Method, MethodSummary};
 use slideway_path::{CartesianPath, ProblemError};
-use slideway_scenario::{Scenario, ScenarioError};
 use slideway_robot::augmented::SpeedFactor;
+use slideway_scenario::{Scenario, ScenarioError};
 use std::f64::consts::PI;
 
 /// Seconds that one cycle takes under each law.
@@ -17,10 +17,7 @@ struct Cycle {
 }
 
 /// Robot and tool path of a built-in scenario, with the robot's masses if it has any.
-fn natural<const N: usize>(
-    name: &str,
-    factor: SpeedFactor,
-) -> Result<NaturalProblem<N, CartesianPath>, ScenarioError> {
+fn natural<const N: usize>(name: &str, factor: SpeedFactor) -> Result<NaturalProblem<N, CartesianPath>, ScenarioError> {
     let problem = scenario(name)?.problem::<N>()?;
     let natural = NaturalProblem::of(&problem.path, factor)?;
     Ok(problem.dynamics.into_iter().fold(natural, NaturalProblem::with_dynamics))
@@ -31,7 +28,7 @@ fn scenario(name: &str) -> Result<Scenario, ScenarioError> {
 }
 
 fn cycle<const N: usize>(name: &str, limit: f64, survey: &Survey<N>) -> Result<Cycle, ScenarioError> {
-    let experiment = Experiment::new(&scenario(name)?)?;
+    let experiment = scenario(name)?.experiment()?;
     let optimum = time_optimum(&experiment.sample(1000, 3)?).expect("solved");
     assert!(optimum.is_certified(), "{}", optimum.gap());
     let run = |method| Ok(MethodSummary::new(&experiment.run(method)?));

@@ -1,9 +1,9 @@
 //! Draws the figures of every built-in scenario: `cargo run -p slideway-figures --example built_in -- <directory>`.
 
 use slideway_figures::{ConditioningStudy, Optimum, Rendered, SpeedStudy, draw_conditioning_study, draw_speed_study};
+use slideway_lab::Method;
 use slideway_lab::conditioning::{PathMethod, run_conditioner};
 use slideway_scenario::ConditioningScenario;
-use slideway_lab::{Experiment, Method};
 use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn speed(built_in: &BuiltIn, dir: &Path) -> Result<Vec<Rendered>, Box<dyn Error>> {
-    let experiment = Experiment::new(&Scenario::parse(built_in.name, built_in.text)?)?;
+    let experiment = Scenario::parse(built_in.name, built_in.text)?.experiment()?;
     let traces =
         Method::UNDER_SPEED_LIMITS.iter().map(|&method| experiment.run(method)).collect::<Result<Vec<_>, _>>()?;
     let tool_traces: Vec<_> = traces.iter().map(|trace| experiment.tool_trace(trace)).collect();

@@ -7,8 +7,8 @@ use slideway_figures::{
     ConditioningStudy, ConvergencePoint, ConvergenceStudy, EscapeStudy, EscapeVariant, FigureError, PhiBand, Rendered,
     draw_conditioning_study, draw_convergence, draw_escape_times,
 };
-use slideway_scenario::BUILT_IN;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathMethod, Phase, run_conditioner};
+use slideway_scenario::BUILT_IN;
 use slideway_scenario::ConditioningScenario;
 use std::error::Error;
 

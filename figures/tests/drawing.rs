@@ -8,7 +8,7 @@ use slideway_figures::{
     Chart, ChartCurve, ChartPanel, ChartRole, ChartScales, Counterexample, FigureError, Optimum, Rendered, SpeedStudy,
     draw_chart, draw_counterexample, draw_speed_study,
 };
-use slideway_lab::{Experiment, JointUnits, MAX_JOINTS, Method, Sample, Trace};
+use slideway_lab::{JointUnits, MAX_JOINTS, Method, Sample, Trace};
 use slideway_scenario::{AnyScenario, BUILT_IN, Scenario};
 use std::error::Error;
 use std::path::Path;
@@ -25,7 +25,7 @@ struct Material {
 
 impl Material {
     fn of(scenario: &str, methods: &[Method]) -> Result<Self, Box<dyn Error>> {
-        let experiment = Experiment::new(&Scenario::built_in(scenario).ok_or("no such scenario")??)?;
+        let experiment = Scenario::built_in(scenario).ok_or("no such scenario")??.experiment()?;
         let traces = methods.iter().map(|&method| experiment.run(method)).collect::<Result<Vec<_>, _>>()?;
         let sampled = experiment.sample(300, 3)?;
         Ok(Self {
@@ -128,7 +128,9 @@ fn the_speed_of_a_joint_that_slides_is_drawn_in_metres_per_second() -> Result<()
 
 #[test]
 fn every_figure_of_every_built_in_scenario_is_drawn() -> Result<(), Box<dyn Error>> {
-    for built_in in BUILT_IN.into_iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_)))) {
+    for built_in in
+        BUILT_IN.into_iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_))))
+    {
         let material = Material::of(built_in.name, &Method::UNDER_SPEED_LIMITS)?;
         let dir = tempfile::tempdir()?;
         let figures = draw_speed_study(&material.study(), dir.path())?;
@@ -195,7 +197,7 @@ fn a_proven_band_is_drawn_and_named() -> Result<(), Box<dyn Error>> {
 
 #[test]
 fn the_optimum_takes_the_speed_limited_time_and_rests_in_self_motions() -> Result<(), Box<dyn Error>> {
-    let experiment = Experiment::new(&Scenario::built_in("puma-wrist-singularity").ok_or("no such scenario")??)?;
+    let experiment = Scenario::built_in("puma-wrist-singularity").ok_or("no such scenario")??.experiment()?;
     let sampled = experiment.sample(300, 3)?;
     let optimum = Optimum::under_speed_limits(&sampled);
     let duration = optimum.duration().ok_or("empty")?;

@@ -9,7 +9,9 @@ pub use filtered::qp_filter_trace;
 pub use projected::{ProjectedTrace, ProjectionKind, projection_trace};
 
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
-use slideway_lab::conditioning::{CLOCK_ROUNDING, ConditionedSample, ConditionedTrace, ConditioningProblem, MAX_CONSTRAINTS, PathMethod, Phase};
+use slideway_lab::conditioning::{
+    CLOCK_ROUNDING, ConditionedSample, ConditionedTrace, ConditioningProblem, MAX_CONSTRAINTS, PathMethod, Phase,
+};
 
 /// The instants of a reference that nothing stops, with the reference there: whole sampling periods, the last one at its end
 /// or less than one before it, as in [`slideway_lab::conditioning::run_conditioner`].

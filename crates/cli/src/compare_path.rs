@@ -7,9 +7,11 @@ use crate::path_report;
 use crate::path_summary::{PathSummary, PathVerdict, ProjectionEntry};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
 use slideway_figures::{ConditioningStudy, ConvergenceStudy, draw_conditioning_study, draw_convergence};
-use slideway_scenario::ScenarioError;
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner};
+use slideway_lab::conditioning::{
+    ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner,
+};
 use slideway_scenario::ConditioningScenario;
+use slideway_scenario::ScenarioError;
 use std::path::Path;
 
 /// Runs every method on a path-conditioning scenario.

@@ -112,7 +112,10 @@ pub(crate) fn courses(experiment: &Experiment, traces: &[Trace], optimum: &Cours
 }
 
 /// What a wrong model costs each law that computed torque can follow; nothing where the masses are unknown.
-pub(crate) fn model_errors(experiment: &Experiment, courses: &[NamedCourse]) -> Result<Vec<ModelErrorOfLaw>, ProblemError> {
+pub(crate) fn model_errors(
+    experiment: &Experiment,
+    courses: &[NamedCourse],
+) -> Result<Vec<ModelErrorOfLaw>, ProblemError> {
     let longest = courses.iter().map(|c| c.course.seconds()).fold(0.0, f64::max);
     let mut errors = Vec::new();
     for NamedCourse { law, course } in courses {

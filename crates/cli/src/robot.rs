@@ -6,9 +6,9 @@ use crate::robot_state::{Inputs, RobotState, evaluate};
 use comfy_table::{Table, presets};
 use slideway_lab::MAX_JOINTS;
 use slideway_path::formula::constant;
-use slideway_scenario::robot_in;
 use slideway_robot::models::Model;
 use slideway_robot::{ChainEnds, DriveEffects, RobotDescription};
+use slideway_scenario::robot_in;
 use std::fmt::Write as _;
 use std::path::Path;
 

@@ -19,7 +19,8 @@ pub(crate) type NamedFiles = BTreeMap<String, String>;
 pub(crate) fn read(text: &str, file: &str) -> Result<NamedFiles, CliError> {
     let one = |name: String| {
         let path = beside(file, &name);
-        let bytes = fs::read(&path).map_err(|source| scenario_error(ScenarioError::Read { path, source }, file, None))?;
+        let bytes =
+            fs::read(&path).map_err(|source| scenario_error(ScenarioError::Read { path, source }, file, None))?;
         Ok((name, String::from_utf8_lossy(&bytes).into_owned()))
     };
     names([text]).into_iter().map(one).collect()

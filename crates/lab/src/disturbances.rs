@@ -1,7 +1,7 @@
-use slideway_path::{Fault, ProblemError, ListOf};
 use rand::{RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
 use serde::Serialize;
+use slideway_path::{Fault, ListOf, ProblemError};
 use std::fmt;
 
 /// What happens in a run and the controller does not know of: the table `[disturbances]` of a speed scenario. By default nothing.

@@ -1,10 +1,10 @@
 //! Closed loops around natural motion and constant speed, with right and wrong models.
 
-use slideway_path::ProblemError;
 use slideway_lab::natural::{
     Circle, ControlRun, Controller, NaturalProblem, PathPlace, Ramp, Run, SpeedLaw, TrackingError, limb_problem,
     pa10_problem,
 };
+use slideway_path::ProblemError;
 use slideway_robot::augmented::SpeedFactor;
 use slideway_robot::{DynamicsError, InverseMethod, Task};
 
@@ -50,7 +50,8 @@ fn with_the_right_model_the_loop_keeps_the_path_and_its_torque_is_that_of_the_fl
 }
 
 #[test]
-fn links_misjudged_by_ten_per_cent_each_its_own_way_leave_natural_motion_nearer_to_the_path() -> Result<(), ProblemError> {
+fn links_misjudged_by_ten_per_cent_each_its_own_way_leave_natural_motion_nearer_to_the_path() -> Result<(), ProblemError>
+{
     for errors in [[0.1, -0.1], [-0.1, 0.1]] {
         let natural = limb_loop(NATURAL, errors)?;
         let constant = limb_loop(CONSTANT, errors)?;

@@ -9,6 +9,7 @@ use crate::tables::{Expectation, ScenarioFile};
 use crate::text::from_toml;
 use slideway_lab::{Experiment, Method, Problem};
 use slideway_path::Fault;
+use slideway_robot::RobotDescription;
 use std::path::{Path, PathBuf};
 
 /// A scenario: its text and what the text says.
@@ -97,7 +98,7 @@ impl Scenario {
     ///
     /// The first value that cannot be used, with its key; a robot of another number of joints.
     pub fn problem<const N: usize>(&self) -> Result<Problem<N>, ScenarioError> {
-        read_problem(self, &describe(&self.file.robot, &self.folder)?)
+        self.problem_of(&self.robot()?)
     }
 
     /// The experiment it describes: the problem, and its joint path traced.
@@ -106,20 +107,29 @@ impl Scenario {
     ///
     /// The first value that cannot be used, or a path that the robot cannot follow.
     pub fn experiment(&self) -> Result<Experiment, ScenarioError> {
-        let robot = describe(&self.file.robot, &self.folder)?;
+        let robot = self.robot()?;
         Ok(match robot.joint_count() {
-            1 => Experiment::try_from(read_problem::<1>(self, &robot)?)?,
-            2 => Experiment::try_from(read_problem::<2>(self, &robot)?)?,
-            3 => Experiment::try_from(read_problem::<3>(self, &robot)?)?,
-            4 => Experiment::try_from(read_problem::<4>(self, &robot)?)?,
-            5 => Experiment::try_from(read_problem::<5>(self, &robot)?)?,
-            6 => Experiment::try_from(read_problem::<6>(self, &robot)?)?,
-            _ => Experiment::try_from(read_problem::<7>(self, &robot)?)?,
+            1 => Experiment::try_from(self.problem_of::<1>(&robot)?)?,
+            2 => Experiment::try_from(self.problem_of::<2>(&robot)?)?,
+            3 => Experiment::try_from(self.problem_of::<3>(&robot)?)?,
+            4 => Experiment::try_from(self.problem_of::<4>(&robot)?)?,
+            5 => Experiment::try_from(self.problem_of::<5>(&robot)?)?,
+            6 => Experiment::try_from(self.problem_of::<6>(&robot)?)?,
+            _ => Experiment::try_from(self.problem_of::<7>(&robot)?)?,
         })
     }
 
+    fn robot(&self) -> Result<RobotDescription, ScenarioError> {
+        describe(&self.file.robot, &self.folder)
+    }
+
+    fn problem_of<const N: usize>(&self, robot: &RobotDescription) -> Result<Problem<N>, ScenarioError> {
+        self.check_options()?;
+        read_problem(&self.file, &self.folder, robot)
+    }
+
     /// Checks what concerns the comparison rather than the problem.
-    pub(crate) fn check_options(&self) -> Result<(), ScenarioError> {
+    fn check_options(&self) -> Result<(), ScenarioError> {
         let points = self.grid_points();
         if !(GRID_POINTS.contains(&points)) {
             let fault = Fault::OutOfRange {

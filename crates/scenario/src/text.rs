@@ -9,7 +9,8 @@ use toml::de::{DeTable, DeValue};
 
 /// Reads a TOML text.
 pub(crate) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, ScenarioError> {
-    toml::from_str(text).map_err(|error| ScenarioError::Syntax { message: error.message().to_owned(), span: error.span() })
+    toml::from_str(text)
+        .map_err(|error| ScenarioError::Syntax { message: error.message().to_owned(), span: error.span() })
 }
 
 /// Place of an error in a text, as a range of bytes: the value at its key, or the nearest table around it.

@@ -1,10 +1,10 @@
 //! Under acceleration limits: what looking ahead keeps that going blind cannot, on built-in scenarios.
 
 use slideway_lab::{Experiment, Method, MethodSummary, Trace};
-use slideway_scenario::{ScenarioError, Scenario};
+use slideway_scenario::{Scenario, ScenarioError};
 
 fn experiment(name: &str) -> Result<Experiment, ScenarioError> {
-    Experiment::new(&Scenario::built_in(name).expect("built in")?)
+    Scenario::built_in(name).expect("built in")?.experiment()
 }
 
 /// Largest change of a commanded joint speed over one sample of the whole run, from rest to rest, as an acceleration.

@@ -1,17 +1,17 @@
 //! The table `[disturbances]`: without it nothing changes, with it the trace tells the truth and the seed tells the run.
 
 use slideway_lab::conditioning::{ConditionedTrace, PathMethod, run_conditioner};
+use slideway_lab::{Disturbances, Method, MethodSummary, Trace};
 use slideway_scenario::ConditioningScenario;
 use slideway_scenario::sweep::{SweepError, SweepPlan, SweepRequest};
-use slideway_lab::{Disturbances, Experiment, Method, MethodSummary, Trace};
-use slideway_scenario::{BUILT_IN, ScenarioError, Scenario};
+use slideway_scenario::{BUILT_IN, Scenario, ScenarioError};
 
 fn text(name: &str) -> &'static str {
     BUILT_IN.iter().find(|b| b.name == name).expect("built in").text
 }
 
 fn run(text: &str, method: Method) -> Trace {
-    Experiment::new(&Scenario::parse("test", text).expect("parses")).expect("valid").run(method).expect("runs")
+    Scenario::parse("test", text).expect("parses").experiment().expect("valid").run(method).expect("runs")
 }
 
 fn conditioned(text: &str, method: PathMethod) -> ConditionedTrace {
@@ -32,8 +32,8 @@ fn without_disturbances_every_bit_is_what_it_was() {
         let none = vec![0.0; joints];
         let zeros =
             format!("{}{ZEROS}initial_error = {none:?}\njoint_offset = {none:?}\nspeed_error = {none:?}\n", text(name));
-        let [plain, zeros] = [text(name), &zeros]
-            .map(|text| Experiment::new(&Scenario::parse(name, text).expect("parses")).expect("valid"));
+        let [plain, zeros] =
+            [text(name), &zeros].map(|text| Scenario::parse(name, text).expect("parses").experiment().expect("valid"));
         for method in plain.methods() {
             let [before, after] = [&plain, &zeros].map(|experiment| experiment.run(method).expect("runs"));
             assert_eq!(bits(&before), bits(&after), "{name} {method}");
@@ -74,7 +74,7 @@ fn every_disturbance_changes_the_run_and_a_seed_repeats_it() {
 #[test]
 fn a_disturbed_experiment_runs_what_the_scenario_with_the_table_runs() {
     let plain = text("planar-bend");
-    let experiment = Experiment::new(&Scenario::parse("test", plain).expect("parses")).expect("valid");
+    let experiment = Scenario::parse("test", plain).expect("parses").experiment().expect("valid");
     let disturbances = Disturbances {
         seed: 3,
         initial_error: vec![0.01, 0.0],
@@ -122,7 +122,7 @@ fn errors_and_arrival_are_judged_on_the_truth() {
     assert!(summary.peak_path_error_m > 2.0 * plain.peak_path_error_m, "{}", summary.peak_path_error_m);
     // Each command moves a joint by Kp Ts of the noise: an arrival within 0.1 mm is a coincidence that has to be waited for, and the
     // controller itself, seeing the reference 0.02 rad off, would never call it one.
-    let experiment = Experiment::new(&Scenario::parse("test", &noisy).expect("parses")).expect("valid");
+    let experiment = Scenario::parse("test", &noisy).expect("parses").experiment().expect("valid");
     let trace = experiment.run(Method::SlidingModeSynchronised).expect("runs");
     let last = trace.samples.last().expect("samples");
     let distance = last.error[..3].iter().map(|e| e * e).sum::<f64>().sqrt();
@@ -134,7 +134,7 @@ fn errors_and_arrival_are_judged_on_the_truth() {
 fn a_robot_whose_zeros_are_off_comes_to_rest_beside_the_end_and_its_run_ends() {
     let (plain, offset) = (text("planar-bend"), [0.01, -0.02]);
     let off = format!("{plain}\n[disturbances]\njoint_offset = {offset:?}\n");
-    let experiment = Experiment::new(&Scenario::parse("test", &off).expect("parses")).expect("valid");
+    let experiment = Scenario::parse("test", &off).expect("parses").experiment().expect("valid");
     let end = *experiment.tool_path(2).last().expect("an end");
     let judged = [Method::SlidingMode, Method::SlidingModeImplicit, Method::AccelerationLookAhead];
     for method in judged {
@@ -223,7 +223,7 @@ fn disturbances_that_cannot_be_meant_are_refused_with_their_key() {
         let text = format!("{}\n[{table}]\n{entry}\n", text(name));
         let error = match name {
             "helix-plane-sphere" => ConditioningScenario::parse("test", &text).and_then(|s| s.problem()).err(),
-            _ => Scenario::parse("test", &text).and_then(|s| Experiment::new(&s)).err(),
+            _ => Scenario::parse("test", &text).and_then(|s| s.experiment()).err(),
         };
         let error: ScenarioError = error.unwrap_or_else(|| panic!("`{line}` was accepted"));
         assert!(!error.remedy().is_empty());

@@ -3,13 +3,13 @@
 use slideway_lab::natural::{NaturalProblem, Ramp, Run, SpeedLaw};
 use slideway_lab::{Effort, Experiment, Method};
 use slideway_path::ProblemError;
-use slideway_scenario::{Scenario, ScenarioError};
 use slideway_robot::augmented::SpeedFactor;
+use slideway_scenario::{Scenario, ScenarioError};
 use std::f64::consts::PI;
 
 fn experiment(table: &str) -> Result<Experiment, ScenarioError> {
     let scenario = Scenario::built_in("natural-2r").expect("built in")?;
-    Experiment::new(&Scenario::parse("test", &scenario.text().replace("factor = \"determinant\"", table))?)
+    Scenario::parse("test", &scenario.text().replace("factor = \"determinant\"", table))?.experiment()
 }
 
 fn effort(table: &str, method: Method) -> Result<Effort, ScenarioError> {

@@ -1,12 +1,12 @@
 //! Laws followed by computed torque with a right and a wrong model.
 
 use slideway_lab::{Course, Experiment, Method};
-use slideway_scenario::{ScenarioError, Scenario};
+use slideway_scenario::{Scenario, ScenarioError};
 
 const LAWS: [Method; 3] = [Method::ConstantSpeed, Method::NaturalMotion, Method::SlidingModeImplicit];
 
 fn experiment(name: &str) -> Result<Experiment, ScenarioError> {
-    Experiment::new(&Scenario::built_in(name).expect("built in")?)
+    Scenario::built_in(name).expect("built in")?.experiment()
 }
 
 fn course(experiment: &Experiment, law: Method) -> Result<Course, ScenarioError> {

@@ -5,9 +5,9 @@ use crate::trial::path::PathSubject;
 use crate::trial::smallest::smallest;
 use crate::trial::speed::SpeedSubject;
 use crate::trial::{Judgement, Trial};
+use slideway_lab::Method;
 use slideway_lab::conditioning::PathMethod;
 use slideway_scenario::ConditioningScenario;
-use slideway_lab::Method;
 use slideway_scenario::{AnyScenario, Scenario, ScenarioError, VerifyOptions};
 use std::path::PathBuf;
 use toml::{Table, Value};
@@ -182,10 +182,7 @@ fn speed(scenario: &Scenario, method: Option<&str>) -> Result<(Subject, Statemen
     Ok((Subject::Speed(Box::new(subject)), statement))
 }
 
-fn conditioning(
-    scenario: &ConditioningScenario,
-    method: Option<&str>,
-) -> Result<(Subject, Statement), VerifyError> {
+fn conditioning(scenario: &ConditioningScenario, method: Option<&str>) -> Result<(Subject, Statement), VerifyError> {
     let forms = || PathMethod::ALL.into_iter().filter(|m| m.is_conditioner());
     let unknown = |name: &str| VerifyError::unknown_method(name, forms().map(PathMethod::name).collect());
     let known = |name: &str| forms().find(|m| m.name() == name).ok_or_else(|| unknown(name));
@@ -208,8 +205,8 @@ fn names_files(value: &Value) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slideway_lab::conditioning::run_conditioner;
     use slideway_lab::MethodSummary;
+    use slideway_lab::conditioning::run_conditioner;
     use slideway_scenario::BUILT_IN;
 
     fn campaign(name: &str, method: &str) -> Campaign {

@@ -1,10 +1,10 @@
 //! What a statement says contains what a run shows, and says something.
 
 use proptest::prelude::*;
+use slideway_lab::Method;
 use slideway_lab::conditioning::PathMethod;
 use slideway_scenario::ConditioningScenario;
 use slideway_scenario::sweep::Setting;
-use slideway_lab::Method;
 use slideway_scenario::{AnyScenario, BUILT_IN, Scenario};
 use slideway_verify::{Guarantee, Observer, Statement};
 use std::error::Error;
@@ -47,7 +47,9 @@ fn contains_what_it_measured(name: &str, statement: &Statement) {
 }
 
 fn runs_inside_its_bounds_in_every_form(wanted: impl Fn(&str) -> bool) -> Outcome {
-    let speed = |b: &&slideway_scenario::BuiltIn| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_))) && wanted(b.name);
+    let speed = |b: &&slideway_scenario::BuiltIn| {
+        matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_))) && wanted(b.name)
+    };
     for b in BUILT_IN.iter().filter(speed) {
         let scenario = Scenario::parse(b.name, b.text)?;
         contains_what_it_measured(b.name, &Statement::for_speed(&scenario, None)?);
@@ -79,7 +81,8 @@ fn every_other_speed_scenario_runs_inside_its_bounds() -> Outcome {
 
 #[test]
 fn every_built_in_conditioning_scenario_runs_inside_its_bounds() -> Outcome {
-    for b in BUILT_IN.iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Conditioning(_)))) {
+    for b in BUILT_IN.iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Conditioning(_))))
+    {
         let scenario = ConditioningScenario::parse(b.name, b.text)?;
         for method in [PathMethod::SlidingMode, PathMethod::SlidingModeImplicit] {
             let statement = Statement::for_conditioning(&scenario, Some(method))?;

@@ -1,7 +1,9 @@
 use crate::error::FigureError;
 use crate::scale::span;
 use crate::style::path_label;
-use slideway_lab::conditioning::{ConditionedSample, ConditionedTrace, ConditioningProblem, Contact, PathMethod, PathMethodSummary, Phase};
+use slideway_lab::conditioning::{
+    ConditionedSample, ConditionedTrace, ConditioningProblem, Contact, PathMethod, PathMethodSummary, Phase,
+};
 use std::ops::Range;
 
 /// What the figures of a path-conditioning study are drawn from.

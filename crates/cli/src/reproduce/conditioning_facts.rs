@@ -1,9 +1,9 @@
 //! What the figures of `[G12]`'s examples 9.1 to 9.4 say in numbers.
 
 use slideway_lab::conditioning::{PathMethod, PathMethodSummary, run_conditioner};
-use slideway_scenario::ConditioningScenario;
 use slideway_lab::{Agreement, Published};
 use slideway_path::Fault;
+use slideway_scenario::ConditioningScenario;
 use slideway_scenario::{BUILT_IN, ScenarioError};
 
 const HALF_A_SECOND: &str = "read as about half a second: to 0.1 s";

@@ -1,7 +1,7 @@
 //! `[G11]` Table 1: root mean square errors on the helix.
 
 use slideway_lab::{Agreement, Experiment, Method, MethodSummary, Published};
-use slideway_scenario::{ScenarioError, Scenario};
+use slideway_scenario::{Scenario, ScenarioError};
 
 /// RMS of the six coordinates, then of the norm, as printed; cases 1 to 4.
 const PRINTED: [(Method, [f64; 7]); 4] = [
@@ -57,6 +57,7 @@ pub(super) fn rows() -> Result<Vec<Published>, ScenarioError> {
 
 /// A built-in scenario made ready to run.
 pub(super) fn experiment(name: &str) -> Result<Experiment, ScenarioError> {
-    let missing = || ScenarioError::value("scenario", slideway_path::Fault::Missing("no built-in scenario of that name"));
+    let missing =
+        || ScenarioError::value("scenario", slideway_path::Fault::Missing("no built-in scenario of that name"));
     Scenario::built_in(name).ok_or_else(missing)??.experiment()
 }

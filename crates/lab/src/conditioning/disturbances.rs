@@ -1,7 +1,7 @@
-use slideway_path::ProblemError;
 use crate::disturbances::{MOST_DELAY, MOST_JITTER, MOST_NOISE, Uniform, in_words, within};
 use serde::Serialize;
 use slideway_conditioner::path::{ConstraintSample, Motion};
+use slideway_path::ProblemError;
 use std::fmt;
 
 /// What happens in a conditioned run and the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By

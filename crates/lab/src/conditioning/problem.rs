@@ -200,7 +200,10 @@ impl ConditioningProblem {
             if let Some(near) = singular
                 && regular == 0
             {
-                return Err(ProblemError::value(format!("constraint.{index}.shape"), Fault::VanishingGradient { near }));
+                return Err(ProblemError::value(
+                    format!("constraint.{index}.shape"),
+                    Fault::VanishingGradient { near },
+                ));
             }
         }
         Ok(())

@@ -1,12 +1,12 @@
 use super::disturbances::Surroundings;
 use super::problem::{ConditioningProblem, MarginChoice};
 use super::trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};
-use slideway_path::ProblemError;
 use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
     Constraint, ConstraintSample, Margin, Motion, PathForm, PathOutcome, PathSettings, PathState, PathStep, TrapPhase,
     Walk,
 };
+use slideway_path::ProblemError;
 
 /// How far past the end of the reference a sample still counts as at it, s: half a nanosecond covers the rounding of summed
 /// sampling periods.

@@ -2,16 +2,16 @@ use super::follow::{NaturalSample, NaturalTrace, Run};
 use super::law::{Ramp, SpeedLaw};
 use super::problem::NaturalProblem;
 use super::survey::Survey;
-use slideway_path::{Fault, ProblemError};
-use slideway_path::CartesianPath;
-use crate::problem::Problem;
-use crate::joints::MAX_JOINTS;
 use crate::joints::JointUnits;
-use crate::method::Method;
+use crate::joints::MAX_JOINTS;
 use crate::joints::pad;
+use crate::method::Method;
+use crate::problem::Problem;
 use crate::run::simulate::MAX_SAMPLES;
 use crate::run::trace::{Sample, Trace};
 use slideway_conditioner::AffineSpeed;
+use slideway_path::CartesianPath;
+use slideway_path::{Fault, ProblemError};
 use slideway_robot::EulerAngles;
 
 /// Constant speed and natural motion as methods of a comparison.

@@ -2,8 +2,8 @@ use super::follow::Run;
 use super::integrate::State;
 use super::path::{ParametrisedPath, PathState};
 use super::problem::{NaturalProblem, PathPlace};
-use slideway_path::{Fault, ProblemError};
 use nalgebra::SMatrix;
+use slideway_path::{Fault, ProblemError};
 use slideway_robot::augmented::PathMotion;
 use slideway_robot::{Dynamics, InverseMethod, JointVector, Twist, rotation_vector, solve_rates};
 

@@ -1,5 +1,5 @@
-use slideway_path::ProblemError;
 use nalgebra::SMatrix;
+use slideway_path::ProblemError;
 
 /// What is integrated: `K` joint vectors, the path parameter and a clock.
 #[derive(Clone, Copy)]
@@ -23,7 +23,11 @@ impl<const N: usize, const K: usize> State<N, K> {
     /// # Errors
     ///
     /// [`ProblemError::NoFiniteSpeed`] if the step does not end at finite numbers; whatever the rate returns.
-    pub(super) fn step(&self, h: f64, rate: impl Fn(&Self) -> Result<Self, ProblemError>) -> Result<Self, ProblemError> {
+    pub(super) fn step(
+        &self,
+        h: f64,
+        rate: impl Fn(&Self) -> Result<Self, ProblemError>,
+    ) -> Result<Self, ProblemError> {
         let first = rate(self)?;
         let second = rate(&self.moved(&first, 0.5 * h))?;
         let third = rate(&self.moved(&second, 0.5 * h))?;

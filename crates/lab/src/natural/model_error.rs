@@ -1,7 +1,7 @@
 use super::integrate::State;
-use slideway_path::ProblemError;
 use crate::run::course::{Course, CourseSample};
 use nalgebra::SMatrix;
+use slideway_path::ProblemError;
 use slideway_robot::{Dynamics, JointVector, RobotError};
 
 /// How far a controller with a wrong model leaves the tool from where a law has it.

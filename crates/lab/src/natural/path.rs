@@ -1,5 +1,5 @@
-use slideway_path::{CartesianPath, PathPoint};
 use nalgebra::{Rotation3, Translation3, Vector3};
+use slideway_path::{CartesianPath, PathPoint};
 use slideway_robot::augmented::PathTangent;
 use slideway_robot::{Pose, Twist};
 

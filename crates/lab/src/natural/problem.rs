@@ -99,7 +99,10 @@ impl<const N: usize> NaturalProblem<N, CartesianPath> {
     /// A path of the joints; a task that has not as many coordinates as the arm joints (lock a joint).
     pub fn of(problem: &PathProblem<N>, factor: SpeedFactor) -> Result<Self, ProblemError> {
         let Reference::Tool(tool) = &problem.reference else {
-            return Err(ProblemError::value("path.joints", Fault::Conflict("natural motion is about a path of the tool")));
+            return Err(ProblemError::value(
+                "path.joints",
+                Fault::Conflict("natural motion is about a path of the tool"),
+            ));
         };
         let start = PathPlace { q: problem.start, parameter: tool.path.start() };
         Self::new(problem.arm.clone(), tool.task, factor, tool.path.clone(), start).map_err(pointed)
@@ -109,7 +112,9 @@ impl<const N: usize> NaturalProblem<N, CartesianPath> {
 /// The factor asks for a wrist, all else is a matter of the task.
 fn pointed(error: RobotError) -> ProblemError {
     match error {
-        RobotError::NotSphericalWrist { reason } => ProblemError::value("natural.factor", Fault::NoWristFactor { reason }),
+        RobotError::NotSphericalWrist { reason } => {
+            ProblemError::value("natural.factor", Fault::NoWristFactor { reason })
+        }
         error => ProblemError::value("robot.task", error),
     }
 }

@@ -1,5 +1,3 @@
-use slideway_path::{Fault, ProblemError};
-use slideway_path::EndRate;
 use crate::problem::Problem;
 use crate::run::controller::Demand;
 use crate::run::decision::{Decision, Situation};
@@ -9,6 +7,8 @@ use slideway_conditioner::acceleration::{
     LookAheadSettings, PathKeeping, Recovery,
 };
 use slideway_conditioner::{AffineSpeed, SpeedCommand};
+use slideway_path::EndRate;
+use slideway_path::{Fault, ProblemError};
 
 /// What a law under acceleration limits sees of the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,7 +109,10 @@ pub(crate) fn online_limits<const N: usize>(problem: &Problem<N>) -> Option<Acce
     AccelerationLimits::new(range.lower, range.upper).ok()
 }
 
-fn look_ahead<const N: usize>(problem: &Problem<N>, limits: AccelerationLimits<N>) -> Result<LookAhead<N>, ProblemError> {
+fn look_ahead<const N: usize>(
+    problem: &Problem<N>,
+    limits: AccelerationLimits<N>,
+) -> Result<LookAhead<N>, ProblemError> {
     LookAhead::new(LookAheadSettings {
         speed_limits: problem.path.speed_limits,
         acceleration_limits: limits,

@@ -1,9 +1,9 @@
-use slideway_path::PathPoint;
-use slideway_path::JointCurve;
-use slideway_path::{Reference, ToolReference};
 use crate::problem::Problem;
 use crate::run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION};
 use nalgebra::{Vector3, Vector6};
+use slideway_path::JointCurve;
+use slideway_path::PathPoint;
+use slideway_path::{Reference, ToolReference};
 use slideway_robot::{EulerAngles, JointKind, JointVector, Pose, Task, Twist, euler, rotation_vector, solve_rates};
 
 /// What the kinematic controller asks for at one instant, split at the path rate.

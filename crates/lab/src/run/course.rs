@@ -1,5 +1,5 @@
-use crate::joints::MAX_JOINTS;
 use crate::joints::JointUnits;
+use crate::joints::MAX_JOINTS;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 

@@ -1,13 +1,13 @@
-use slideway_path::{Fault, ProblemError};
-use slideway_path::EndRate;
+use crate::method::Method;
 use crate::problem::Problem;
 use crate::run::acceleration::{AccelerationLaw, Sight};
-use crate::method::Method;
 use crate::run::controller::Demand;
 use crate::run::decision::{Decision, Situation};
 use slideway_conditioner::{
     Advance, AffineSpeed, ImplicitSpeedRegulator, Saturation, SpeedCommand, SpeedRegulator, SpeedSettings, SpeedState,
 };
+use slideway_path::EndRate;
+use slideway_path::{Fault, ProblemError};
 
 /// A speed law with its state, as the loop runs it.
 #[derive(Clone, Debug)]
@@ -40,9 +40,10 @@ impl<const N: usize> Law<N> {
             Method::DirectionPreserving => {
                 Ok(Self::Fixed { rate: fixed_rate, saturation: Some(Saturation::DirectionPreserving) })
             }
-            Method::ConstantSpeed | Method::NaturalMotion => {
-                Err(ProblemError::value("natural", Fault::Missing("the method needs a `[natural]` table in the scenario")))
-            }
+            Method::ConstantSpeed | Method::NaturalMotion => Err(ProblemError::value(
+                "natural",
+                Fault::Missing("the method needs a `[natural]` table in the scenario"),
+            )),
             Method::SlidingMode => explicit(Advance::Paper),
             Method::SlidingModeSynchronised => explicit(Advance::Synchronised),
             Method::SlidingModeImplicit => ImplicitSpeedRegulator::new(settings(Advance::Synchronised))

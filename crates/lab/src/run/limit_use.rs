@@ -1,9 +1,9 @@
-use slideway_path::ProblemError;
-use slideway_path::LimitKind;
-use slideway_path::JointRange;
 use crate::problem::Problem;
 use crate::run::trace::{Sample, Trace};
 use serde::{Deserialize, Serialize};
+use slideway_path::JointRange;
+use slideway_path::LimitKind;
+use slideway_path::ProblemError;
 use slideway_robot::JointVector;
 
 /// The largest use that a run made of one kind of limit while the reference moved.

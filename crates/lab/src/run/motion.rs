@@ -1,11 +1,11 @@
-use slideway_path::ProblemError;
-use slideway_path::JointPath;
-use crate::problem::Problem;
-use crate::joints::MAX_JOINTS;
-use crate::run::course::{Course, CourseSample, ProfilePoint};
 use crate::joints::JointUnits;
+use crate::joints::MAX_JOINTS;
 use crate::joints::pad;
+use crate::problem::Problem;
+use crate::run::course::{Course, CourseSample, ProfilePoint};
 use crate::run::trace::{Sample, Trace};
+use slideway_path::JointPath;
+use slideway_path::ProblemError;
 use slideway_robot::{Dynamics, JointVector};
 
 /// Use of a speed limit from which a joint counts as at it.

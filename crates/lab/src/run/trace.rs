@@ -1,5 +1,5 @@
-use crate::joints::MAX_JOINTS;
 use crate::joints::JointUnits;
+use crate::joints::MAX_JOINTS;
 use crate::method::Method;
 use slideway_conditioner::AffineSpeed;
 use std::fmt::Write as _;

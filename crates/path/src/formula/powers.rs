@@ -3,8 +3,8 @@
 //! The parser's signs take the operand next to them, so that it reads `(-x)^2`, and it reads powers from the left. Every power is
 //! put into parentheses before the parser sees it.
 
-use super::literal::Literal;
 use super::jet::{Jet, JetOperators};
+use super::literal::Literal;
 use exmex::{MakeOperators, MatchLiteral};
 
 /// A piece of a formula between two parentheses.

@@ -85,12 +85,7 @@ impl<const N: usize> JointBounds<N> {
     /// # Errors
     ///
     /// A bound of the wrong sign, or a formula without a finite value somewhere.
-    pub fn new(
-        lower: [Bound; N],
-        upper: [Bound; N],
-        signs: BoundSigns,
-        path: &Range<f64>,
-    ) -> Result<Self, BoundError> {
+    pub fn new(lower: [Bound; N], upper: [Bound; N], signs: BoundSigns, path: &Range<f64>) -> Result<Self, BoundError> {
         let bounds = Self { lower, upper };
         for lambda in probes(path) {
             let JointRange { lower, upper } = bounds.at(lambda);

@@ -4,15 +4,15 @@ use crate::error::ScenarioError;
 use crate::read::curves::position_curve;
 use crate::read::waypoints::Place;
 use crate::tables::conditioning::{
-    ConditioningFile, ConstraintTable, LawTable, MarginTable, MotionTable, PathDisturbancesTable, ReferenceTable, ShapeTable,
-    SideName, TrapTable, WalkTable,
+    ConditioningFile, ConstraintTable, LawTable, MarginTable, MotionTable, PathDisturbancesTable, ReferenceTable,
+    ShapeTable, SideName, TrapTable, WalkTable,
 };
 use crate::tables::number::Number;
 use slideway_conditioner::path::{Reserve, SwitchingLaw, TrapSettings, Walk};
 use slideway_conditioner::shapes::{BoothOval, Cylinder, Oscillation, Polytope, Side, SmoothBox, UniformMotion};
 use slideway_lab::conditioning::{
-    Carrier, ConditioningProblem, ExpressionConstraint, MarginChoice, NamedConstraint, POLYTOPE_FACES, PathDisturbances,
-    Reference, Shape3,
+    Carrier, ConditioningProblem, ExpressionConstraint, MarginChoice, NamedConstraint, POLYTOPE_FACES,
+    PathDisturbances, Reference, Shape3,
 };
 use slideway_path::{Fault, ListOf, ProblemError};
 use std::path::Path;
@@ -104,9 +104,7 @@ fn carrier(table: &MotionTable) -> Carrier {
 fn shape(table: &ShapeTable, key: &str) -> Result<Shape3, ProblemError> {
     let refused = |error| ProblemError::value(key, Fault::Conditioner(error));
     Ok(match table {
-        ShapeTable::HalfSpace { normal, offset } => {
-            Shape3::half_space(&vector(normal), offset.0).map_err(refused)?
-        }
+        ShapeTable::HalfSpace { normal, offset } => Shape3::half_space(&vector(normal), offset.0).map_err(refused)?,
         ShapeTable::Polytope { normals, offsets, sharpness, side: s } => {
             Shape3::Polytope(Box::new(polytope(normals, offsets, sharpness.0, side(*s), key)?))
         }

@@ -3,7 +3,7 @@
 use crate::error::ScenarioError;
 use crate::read::waypoints::{Place, rotation, vector};
 use crate::tables::curves::{PointList, RotationTable};
-use crate::tables::{OrientationTable, PositionTable};
+use crate::tables::path::{OrientationTable, PositionTable};
 use slideway_path::curve::{Arc, CurveError, RotationWaypoints, Slerp, Spacing, Squad};
 use slideway_path::formula::Formula;
 use slideway_path::{EulerKnot, Fault, OrientationCurve, PositionCurve};
@@ -36,7 +36,8 @@ pub(crate) fn orientation_curve(
     Ok(match table {
         OrientationTable::Constant { euler } => OrientationCurve::Constant(vector(euler)),
         OrientationTable::PiecewiseLinear { knots } => {
-            let knots: Vec<EulerKnot> = knots.iter().map(|k| EulerKnot { at: k.at.0, euler: vector(&k.euler) }).collect();
+            let knots: Vec<EulerKnot> =
+                knots.iter().map(|k| EulerKnot { at: k.at.0, euler: vector(&k.euler) }).collect();
             check_knots(&knots, place)?;
             OrientationCurve::piecewise_linear(knots).map_err(|error| place.error("piecewise-linear.knots", error))?
         }

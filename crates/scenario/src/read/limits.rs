@@ -3,7 +3,8 @@ use crate::tables::number::{LimitNumber, Number, PerJointLimit, positive};
 use crate::tables::{DriveEffectName, LimitsTable, OwnName, TorqueTable};
 use slideway_conditioner::SpeedLimits;
 use slideway_path::{
-    BoundSigns, EndRate, Fault, JointBounds, ListOf, PositionLimits, PositionSource, ProblemError, ToolLimits, TorqueLimits,
+    BoundSigns, EndRate, Fault, JointBounds, ListOf, PositionLimits, PositionSource, ProblemError, ToolLimits,
+    TorqueLimits,
 };
 use slideway_robot::{DriveEffects, PositionRange, RobotDescription};
 use std::ops::Range;

@@ -3,8 +3,8 @@ use crate::tables::{BranchTable, ElbowName, ShoulderName, StartTable, WristName}
 use nalgebra::{Translation3, Vector3};
 use slideway_path::{Fault, ProblemError, Reference, ToolReference};
 use slideway_robot::{
-    Branch, Elbow, EulerAngles, JointVector, NumericIk, NumericIkSettings, Pose, SerialArm, Shoulder, SphericalWristIk, Wrist,
-    euler,
+    Branch, Elbow, EulerAngles, JointVector, NumericIk, NumericIkSettings, Pose, SerialArm, Shoulder, SphericalWristIk,
+    Wrist, euler,
 };
 
 /// A robot at the start: where it stands, and the configuration on the path's first point.

@@ -5,30 +5,31 @@ use crate::read::limits::LimitReader;
 use crate::read::placement::Placement;
 use crate::read::reference::reference;
 use crate::read::robot::robot_key;
-use crate::speed::Scenario;
 use crate::tables::number::Number;
-use crate::tables::{ControlTable, DisturbancesTable, FactorName, FixedSpeedTable, IntegrationName, NaturalTable};
+use crate::tables::{
+    ControlTable, DisturbancesTable, FactorName, FixedSpeedTable, IntegrationName, NaturalTable, ScenarioFile,
+};
 use slideway_lab::{
     ControlSettings, Disturbances, FixedSpeed, Integration, LookAheadOptions, NaturalSettings, Problem,
 };
 use slideway_path::{Fault, ListOf, PathProblem, ProblemError};
 use slideway_robot::RobotDescription;
 use slideway_robot::augmented::SpeedFactor;
+use std::path::Path;
 
-/// The problem of a scenario and its robot, an arm of `N` joints.
+/// The problem of a scenario and its robot, an arm of `N` joints; files that it names lie in `folder`.
 ///
 /// # Errors
 ///
 /// The first value that cannot be used, with its key.
 pub(crate) fn read_problem<const N: usize>(
-    scenario: &Scenario,
+    file: &ScenarioFile,
+    folder: &Path,
     robot: &RobotDescription,
 ) -> Result<Problem<N>, ScenarioError> {
-    scenario.check_options()?;
-    let file = &scenario.file;
     let of_robot = |error| ScenarioError::value(robot_key(&file.robot), error);
     let arm = robot.arm().map_err(of_robot)?;
-    let reference = reference(file, scenario.folder())?;
+    let reference = reference(file, folder)?;
     let limits = LimitReader { table: &file.limits, robot, path: reference.start()..reference.end() };
     let speed = limits.speed::<N>()?;
     let speed_limits = limits.widest_speed(&speed)?;
@@ -41,8 +42,7 @@ pub(crate) fn read_problem<const N: usize>(
     let fixed_speed = fixed_speed(&file.fixed_speed, &control);
     fixed_speed.check(control.gain)?;
     let disturbances = disturbances(&file.disturbances, N)?;
-    let placement =
-        Placement { arm: &arm, reference: &reference, table: &file.start, path_key: file.path.start_key() };
+    let placement = Placement { arm: &arm, reference: &reference, table: &file.start, path_key: file.path.start_key() };
     let start = placement.place()?;
     Ok(Problem {
         joint_names: robot.joints.iter().map(|joint| joint.name.clone()).collect(),

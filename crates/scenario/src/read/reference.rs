@@ -5,7 +5,8 @@ use crate::read::curves::{orientation_curve, position_curve};
 use crate::read::poses::PoseCurves;
 use crate::read::waypoints::Place;
 use crate::tables::number::{Number, joints};
-use crate::tables::{InverseTable, JointsTable, PathTable, ScenarioFile, TaskName};
+use crate::tables::path::{JointsTable, PathTable};
+use crate::tables::{InverseTable, ScenarioFile, TaskName};
 use slideway_path::{CartesianPath, Fault, JointCurve, OrientationCurve, PositionCurve, Reference, ToolReference};
 use slideway_robot::{InverseMethod, RobotError, Task};
 use std::ops::Range;
@@ -81,9 +82,7 @@ fn joint_curve<const N: usize>(
             let (from, to) = (joints("path.joints.line.from", from)?, joints("path.joints.line.to", to)?);
             JointCurve::line(from, to, range.clone())
         }
-        JointsTable::Spline(table) => {
-            JointCurve::spline(place("path.joints.spline").spline(table)?, range.clone())
-        },
+        JointsTable::Spline(table) => JointCurve::spline(place("path.joints.spline").spline(table)?, range.clone()),
         JointsTable::Lines(table) => JointCurve::lines(place("path.joints.lines").lines(table)?, range.clone()),
     })
 }

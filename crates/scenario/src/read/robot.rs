@@ -75,8 +75,11 @@ fn check_one_source(table: &RobotTable) -> Result<(), ScenarioError> {
 
 fn from_urdf(table: &RobotTable, path: PathBuf) -> Result<RobotDescription, ScenarioError> {
     let ends = ChainEnds { base: table.base.clone(), tip: table.tip.clone() };
-    RobotDescription::read_urdf(&path, &ends)
-        .map_err(|error| ScenarioError::Urdf { key: "robot.urdf".into(), path, error: Box::new(error) })
+    RobotDescription::read_urdf(&path, &ends).map_err(|error| ScenarioError::Urdf {
+        key: "robot.urdf".into(),
+        path,
+        error: Box::new(error),
+    })
 }
 
 fn dh_row(row: &DhTable) -> DhRow {

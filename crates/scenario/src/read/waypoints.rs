@@ -4,9 +4,7 @@ use crate::tables::curves::{EndsTable, LinesTable, PointList, RotationTable, Spa
 use crate::tables::number::Number;
 use nalgebra::{SVector, UnitQuaternion, Vector3};
 use slideway_path::Fault;
-use slideway_path::curve::{
-    BlendedLines, CubicSpline, CurveError, Spacing, SplineEnds, Waypoints, unit_quaternion,
-};
+use slideway_path::curve::{BlendedLines, CubicSpline, CurveError, Spacing, SplineEnds, Waypoints, unit_quaternion};
 use slideway_robot::euler;
 use std::ops::Range;
 use std::path::{Path, PathBuf};

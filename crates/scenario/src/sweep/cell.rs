@@ -1,6 +1,6 @@
 use super::columns;
 use super::error::SweepError;
-use super::plan::SweepRequest;
+use super::request::SweepRequest;
 use super::row::SweepRow;
 use super::setting::{Setting, shown};
 use crate::any::AnyScenario;

@@ -17,6 +17,7 @@ mod cell;
 mod columns;
 mod error;
 mod plan;
+mod request;
 mod row;
 mod run;
 mod setting;
@@ -24,7 +25,8 @@ mod statistics;
 mod summary;
 
 pub use error::SweepError;
-pub use plan::{MAX_RUNS, SweepPlan, SweepRequest};
+pub use plan::{MAX_RUNS, SweepPlan};
+pub use request::SweepRequest;
 pub use row::SweepRow;
 pub use run::{RowSink, run_sweep};
 pub use setting::{Axis, Setting, shown};

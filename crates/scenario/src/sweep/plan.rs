@@ -1,8 +1,8 @@
 use super::cell::Cell;
 use super::error::SweepError;
+use super::request::SweepRequest;
 use super::row::SweepRow;
-use super::setting::{Axis, Setting, overlap};
-use std::path::PathBuf;
+use super::setting::{Axis, overlap};
 use toml::Value;
 
 /// Most runs of a sweep: their rows are kept in memory for the summary.
@@ -10,41 +10,6 @@ pub const MAX_RUNS: u64 = 10_000_000;
 
 /// The keys that seeds set: of the random walk, and of the disturbances.
 const SEED_KEYS: [&str; 2] = ["trap.seed", "disturbances.seed"];
-
-/// What a sweep is asked to do.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SweepRequest {
-    /// Name of the scenario.
-    pub name: String,
-    /// Its text.
-    pub text: String,
-    /// Its file, if it has one: files that the scenario names lie beside it.
-    pub file: Option<PathBuf>,
-    /// The method; without one the explicit sliding mode.
-    pub method: Option<String>,
-    /// Seeds `1..=N` of the random walk and the disturbances; without them the scenario's own.
-    pub seeds: Option<u64>,
-    /// Values replaced in every run.
-    pub settings: Vec<Setting>,
-    /// Values varied: the runs cover every combination.
-    pub axes: Vec<Axis>,
-}
-
-impl SweepRequest {
-    /// One run of a scenario as it is.
-    #[must_use]
-    pub fn of(name: &str, text: String) -> Self {
-        Self {
-            name: name.to_owned(),
-            text,
-            file: None,
-            method: None,
-            seeds: None,
-            settings: Vec::new(),
-            axes: Vec::new(),
-        }
-    }
-}
 
 /// The runs of a sweep, numbered: seeds change fastest, then the last axis, the first axis slowest.
 #[derive(Clone, Debug)]

@@ -1,8 +1,9 @@
 //! The scenario file of a path-conditioning study as it is written.
 
+use super::CompareTable;
 use super::number::Number;
+use super::path::PositionTable;
 use super::verify_options::PathVerifyTable;
-use super::{CompareTable, PositionTable};
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Deserialize)]

@@ -1,7 +1,6 @@
 //! Curves through way-points as they are written in a scenario.
 
 use super::number::Number;
-use super::{JointsTable, PathTable, PositionTable};
 use serde::Deserialize;
 
 /// A cubic spline through way-points.
@@ -142,46 +141,5 @@ impl PointList<'_> {
     /// The part of the table that holds the first way-point.
     pub(crate) fn first_key(&self) -> &'static str {
         if self.csv.is_some() { "csv" } else { "points.0" }
-    }
-}
-
-impl PathTable {
-    /// The path parameters that are listed for the way-points of the path, if any are.
-    pub(crate) fn listed_parameters(&self) -> Option<&[Number]> {
-        self.waypoints().and_then(|(_, list)| list.at)
-    }
-
-    /// The key of that list.
-    pub(crate) fn listed_key(&self) -> Option<String> {
-        self.waypoints().filter(|(_, list)| list.at.is_some()).map(|(key, _)| format!("{key}.at"))
-    }
-
-    /// Whether the path is a function of the path parameter itself, so that its end must be given.
-    pub(crate) fn is_in_the_parameter(&self) -> bool {
-        matches!(self.position, Some(PositionTable::Helix { .. } | PositionTable::Formula { .. }))
-    }
-
-    /// The key of the path's first point, for errors about it.
-    pub(crate) fn start_key(&self) -> String {
-        match (&self.position, self.waypoints()) {
-            (_, Some((key, list))) => format!("{key}.{}", list.first_key()),
-            (Some(PositionTable::Helix { .. }), _) => "path.position.helix.start".into(),
-            (Some(PositionTable::Line { .. }), _) => "path.position.line.from".into(),
-            (Some(PositionTable::Arc { .. }), _) => "path.position.arc.from".into(),
-            (Some(PositionTable::Formula { .. }), _) => "path.position.formula".into(),
-            _ => "path".into(),
-        }
-    }
-
-    /// The way-points of the path and the key of their table.
-    fn waypoints(&self) -> Option<(&'static str, PointList<'_>)> {
-        match (&self.position, &self.joints, &self.poses) {
-            (Some(PositionTable::Spline(table)), ..) => Some(("path.position.spline", table.list())),
-            (Some(PositionTable::Lines(table)), ..) => Some(("path.position.lines", table.list())),
-            (_, Some(JointsTable::Spline(table)), _) => Some(("path.joints.spline", table.list())),
-            (_, Some(JointsTable::Lines(table)), _) => Some(("path.joints.lines", table.list())),
-            (.., Some(table)) => Some(("path.poses", table.list())),
-            _ => None,
-        }
     }
 }

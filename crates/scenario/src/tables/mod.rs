@@ -3,10 +3,11 @@
 pub(crate) mod conditioning;
 pub(crate) mod curves;
 pub(crate) mod number;
+pub(crate) mod path;
 pub(crate) mod verify_options;
 
-use curves::{LinesTable, PosesTable, RotationTable, SpacingName, SplineTable};
 use number::{Number, PerJointLimit};
+use path::PathTable;
 use serde::{Deserialize, Serialize};
 use slideway_lab::Method;
 use std::collections::BTreeMap;
@@ -131,54 +132,6 @@ pub(crate) enum ElbowName {
 pub(crate) enum WristName {
     NoFlip,
     Flip,
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct PathTable {
-    pub(crate) start: Option<Number>,
-    pub(crate) end: Option<Number>,
-    pub(crate) position: Option<PositionTable>,
-    pub(crate) poses: Option<PosesTable>,
-    pub(crate) joints: Option<JointsTable>,
-    pub(crate) orientation: Option<OrientationTable>,
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub(crate) enum PositionTable {
-    Helix { start: [Number; 3], radius: Number, climb: Number },
-    Line { from: [Number; 3], to: [Number; 3] },
-    Arc { from: [Number; 3], via: [Number; 3], to: [Number; 3] },
-    Spline(SplineTable),
-    Lines(LinesTable),
-    Formula { x: String, y: String, z: String },
-}
-
-/// A path of the joints.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub(crate) enum JointsTable {
-    Line { from: Vec<Number>, to: Vec<Number> },
-    Spline(SplineTable),
-    Lines(LinesTable),
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub(crate) enum OrientationTable {
-    Constant { euler: [Number; 3] },
-    PiecewiseLinear { knots: Vec<KnotTable> },
-    Formula { alpha: String, beta: String, gamma: String },
-    Slerp { from: RotationTable, to: RotationTable },
-    Squad { rotations: Vec<RotationTable>, spacing: Option<SpacingName>, at: Option<Vec<Number>> },
-}
-
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct KnotTable {
-    pub(crate) at: Number,
-    pub(crate) euler: [Number; 3],
 }
 
 #[derive(Clone, Debug, Deserialize)]

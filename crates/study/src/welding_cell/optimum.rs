@@ -1,9 +1,9 @@
 use super::seam::{ACCELERATION, SPEED, beginning, kinematics, seam};
 use crate::StudyError;
 use slideway_baselines::time_optimal::{TimeOptimum, time_optimum};
-use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 use slideway_motion::MotionError;
 use slideway_motion::tool::{ToolCurve, ToolKinematics};
+use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 use slideway_robot::JointVector;
 
 /// Intervals of the grid.

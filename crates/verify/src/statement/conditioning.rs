@@ -7,7 +7,9 @@ use super::recovery::{recovered, recovery_rate};
 use super::{Guarantee, Hypothesis, Relation, Statement};
 use crate::error::VerifyError;
 use slideway_conditioner::path::SwitchingLaw;
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, PathMethodSummary, Phase, run_conditioner};
+use slideway_lab::conditioning::{
+    ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, PathMethodSummary, Phase, run_conditioner,
+};
 use slideway_scenario::ConditioningScenario;
 
 /// Rounding of `φ`: some 30 operations on positions of up to 10 m, and the smallest push's systems with conditions of up to 1e2, m.

@@ -5,7 +5,10 @@ use super::conditioning::ConditioningCase;
 use super::entry::up_to;
 use crate::error::VerifyError;
 use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, bounds};
-use slideway_lab::conditioning::{ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathDisturbances, PathMethod, run_conditioner};
+use slideway_lab::conditioning::{
+    ConditionedSample, ConditionedTrace, ConditioningProblem, MarginChoice, PathDisturbances, PathMethod,
+    run_conditioner,
+};
 
 /// How far outside the recovery is stated from, m.
 const OUTSIDE: f64 = 0.01;

@@ -1,7 +1,7 @@
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
-use slideway_lab::conditioning::PathDisturbances;
 use slideway_lab::Disturbances;
+use slideway_lab::conditioning::PathDisturbances;
 use slideway_scenario::VerifyOptions;
 use toml::{Table, Value};
 

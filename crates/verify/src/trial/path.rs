@@ -5,7 +5,9 @@ use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
 use crate::statement::{ConditioningCase, Guarantee, Observer, PUSH_ROUNDING, Statement, excess, recovery_rate};
 use slideway_conditioner::path::Reserve;
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathDisturbances, PathMethod, Phase, Shape3, run_conditioner};
+use slideway_lab::conditioning::{
+    ConditionedTrace, ConditioningProblem, PathDisturbances, PathMethod, Phase, Shape3, run_conditioner,
+};
 use slideway_scenario::ConditioningScenario;
 
 const RESERVE: Always = Always {

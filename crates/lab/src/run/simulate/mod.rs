@@ -1,15 +1,15 @@
 mod record;
 mod settle;
 
-use slideway_path::ProblemError;
-use crate::problem::{Integration, Problem};
-use crate::run::controller::Demand;
-use crate::run::world::{World, displaced};
 use crate::joints::JointUnits;
 use crate::method::Method;
+use crate::problem::{Integration, Problem};
+use crate::run::controller::Demand;
 use crate::run::decision::{Decision, Situation};
 use crate::run::law::Law;
 use crate::run::trace::Trace;
+use crate::run::world::{World, displaced};
+use slideway_path::ProblemError;
 use slideway_robot::{EulerAngles, JointVector};
 
 /// Samples after which a run is given up whatever its duration: a trace of this length fills about 2 GB.

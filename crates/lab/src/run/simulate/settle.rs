@@ -3,10 +3,10 @@
 use super::{Observed, Run};
 use crate::joints::pad;
 use crate::method::Method;
-use slideway_path::ProblemError;
 use crate::run::law::Law;
 use crate::run::trace::Sample;
 use slideway_conditioner::Saturation;
+use slideway_path::ProblemError;
 
 /// Joints that would not go farther than this in all the time that is left stand, rad (m): a hundred-thousandth of what counts as arrival.
 const STANDS: f64 = 1e-9;
