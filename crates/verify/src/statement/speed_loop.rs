@@ -26,7 +26,7 @@ pub(crate) fn loop_on(
         limits,
         drift: PathDrift::new(&path),
         optimum: [found.duration_s, found.lower_s, found.upper_s],
-        by_joints: follows_joints(scenario),
+        by_joints: experiment.follows_joints(),
     };
     Ok((looked, path))
 }
@@ -38,9 +38,4 @@ fn nodes_alone(path: &SampledPath) -> SampledPath {
         piece.between.iter_mut().for_each(Vec::clear);
     }
     path
-}
-
-fn follows_joints(scenario: &Scenario) -> bool {
-    let document: Option<toml::Table> = scenario.text().parse().ok();
-    document.is_some_and(|d| d.get("path").and_then(|path| path.get("joints")).is_some())
 }
