@@ -47,7 +47,8 @@ fn made(name: &str) -> String {
 fn template(kind: &str) -> String {
     let folder = tempfile::tempdir().expect("folder");
     assert!(slideway(folder.path(), &["init", "my.toml", "--kind", kind]).status.success());
-    format!("```toml\n{}```\n", std::fs::read_to_string(folder.path().join("my.toml")).expect("reads"))
+    let text = std::fs::read_to_string(folder.path().join("my.toml")).expect("reads");
+    format!("<!-- base: {kind} -->\n```toml\n{text}```\n")
 }
 
 /// The help of every subcommand, in the order in which the command lists them.
