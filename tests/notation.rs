@@ -6,15 +6,8 @@ use std::path::{Path, PathBuf};
 const SOURCES: [(&str, u32); 4] = [("[G11]", 26), ("[G12]", 40), ("[N]", 11), ("[R16]", 4)];
 
 /// Equations whose line has no comment yet.
-const UNMARKED: [&str; 7] = [
-    "[G11] eq 1",
-    "[G11] eq 2",
-    "[G11] eq 26",
-    "[G12] eq 1",
-    "[G12] eq 32",
-    "[G12] eq 33",
-    "[G12] eq 34",
-];
+const UNMARKED: [&str; 7] =
+    ["[G11] eq 1", "[G11] eq 2", "[G11] eq 26", "[G12] eq 1", "[G12] eq 32", "[G12] eq 33", "[G12] eq 34"];
 
 /// A line of the index.
 struct Entry {
