@@ -74,7 +74,7 @@ impl<const N: usize> SpeedLimits<N> {
     #[inline]
     #[must_use]
     pub fn contain(&self, joint_speed: &[f64; N]) -> bool {
-        // [G11] eq 18: `q̇ds - q̇d` is zero just here; [G11] eq 20: the surfaces are where an inequality turns into an equation.
+        // [G11] eq 18: `q̇ds - q̇d` is zero just here. [G11] eq 20: on the surfaces an inequality turns into an equation.
         joint_speed.iter().zip(self.lower.iter().zip(&self.upper)).all(|(&v, (&lo, &up))| lo <= v && v <= up)
     }
 
