@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// How many numbered equations each source has.
+/// The sources and their numbers of numbered equations.
 const SOURCES: [(&str, u32); 4] = [("[G11]", 26), ("[G12]", 40), ("[N]", 11), ("[R16]", 4)];
 
 /// Equations whose line has no comment yet.

@@ -1,4 +1,4 @@
-//! Parts of pages that are what the command prints.
+//! The generated parts of the pages, held against the output of the command.
 
 use crate::page::{Page, all, root};
 use crate::support::{slideway, stdout};
@@ -43,7 +43,7 @@ fn made(name: &str) -> String {
     }
 }
 
-/// What `init` writes.
+/// The template of a kind, as `init` writes it.
 fn template(kind: &str) -> String {
     let folder = tempfile::tempdir().expect("folder");
     assert!(slideway(folder.path(), &["init", "my.toml", "--kind", kind]).status.success());
@@ -63,7 +63,7 @@ fn commands() -> String {
     text
 }
 
-/// What the command prints, without blanks at the ends of lines.
+/// The output of the command, without blanks at the ends of lines.
 fn printed(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("folder");
     let output = slideway(folder.path(), arguments);
