@@ -182,12 +182,6 @@ fn under_acceleration_limits_the_look_ahead_is_judged_by_the_optimum_under_the_s
 }
 
 #[test]
-fn the_readme_documents_the_very_templates() {
-    assert!(include_str!("../README.md").contains(slideway_scenario::TEMPLATE));
-    assert!(include_str!("../README.md").contains(slideway_scenario::CONDITIONING_TEMPLATE));
-}
-
-#[test]
 fn a_disturbed_run_says_by_what() {
     let folder = tempfile::tempdir().expect("folder");
     let show = |name| stdout(&slideway(folder.path(), &["show", name]));

@@ -70,6 +70,7 @@ pub fn switches_by(filter_step: f64, overspeed: f64, initial_factor: f64, sample
     // Not exp(0 * log1p(-a)) at the first sample: with a = 1 that is 0 * infinity, a NaN that would deny the switch.
     let left = if samples == 0 { 1.0 } else { exp(f64::from(samples) * log1p(-filter_step)) };
     let risen = 1.0 - (1.0 - initial_factor) * left;
+    // [G11] eq 21 is `overspeed >= 1`.
     overspeed * risen > 1.0
 }
 
@@ -78,6 +79,7 @@ pub fn switches_by(filter_step: f64, overspeed: f64, initial_factor: f64, sample
 /// An estimate, not a bound: it leaves out the drift of `v` along the path, see [`chattering_bound`].
 #[must_use]
 pub fn chattering_estimate(joint_rate: f64, filter_step: f64, target_rate: f64) -> f64 {
+    // [G11] eq 23
     libm::fabs(joint_rate) * filter_step * target_rate
 }
 

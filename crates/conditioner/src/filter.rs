@@ -39,6 +39,7 @@ impl FirstOrderFilter {
     #[inline]
     #[must_use]
     pub fn next(&self, output: f64, input: f64) -> f64 {
+        // [G11] eq 22: Euler steps of [G11] eq 19.
         output + self.step * (input - output)
     }
 }

@@ -74,6 +74,7 @@ impl<const N: usize> SpeedLimits<N> {
     #[inline]
     #[must_use]
     pub fn contain(&self, joint_speed: &[f64; N]) -> bool {
+        // [G11] eq 18: `q̇ds - q̇d` is zero just here. [G11] eq 20: on the surfaces an inequality turns into an equation.
         joint_speed.iter().zip(self.lower.iter().zip(&self.upper)).all(|(&v, (&lo, &up))| lo <= v && v <= up)
     }
 
@@ -126,6 +127,7 @@ impl<const N: usize> SpeedLimits<N> {
             return Saturated { joint_speed: [0.0; N], direction_factor: 0.0 };
         }
         let ratio = self.ratio(joint_speed);
+        // [G11] eq 8
         let direction_factor = if ratio > 1.0 { 1.0 / ratio } else { 1.0 };
         let factor = match saturation {
             Saturation::Direct => 1.0,
@@ -134,6 +136,7 @@ impl<const N: usize> SpeedLimits<N> {
         let mut command = *joint_speed;
         // Scaling can end one rounding beyond the limit, hence the clamp for both kinds. Not f64::clamp: it can panic.
         for (v, (&lo, &up)) in command.iter_mut().zip(self.lower.iter().zip(&self.upper)) {
+            // [G11] eq 6: the clamp; [G11] eq 7: the factor.
             *v = (*v * factor).max(lo).min(up);
         }
         Saturated { joint_speed: command, direction_factor }

@@ -159,6 +159,7 @@ impl<const N: usize> SpeedRegulator<N> {
     #[inline]
     pub fn step(&self, state: &mut SpeedState, desired: &[f64; N]) -> SpeedCommand<N> {
         let saturated = self.limits.saturate(desired, self.saturation);
+        // [G11] eq 17
         let switch = if self.limits.contain(desired) { Switch::Release } else { Switch::Brake };
         let factor = state.factor;
         let advance = match self.advance {

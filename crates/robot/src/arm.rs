@@ -109,6 +109,7 @@ impl<const N: usize> SerialArm<N> {
     /// Forward kinematics: the pose of the tool in the base frame.
     #[must_use]
     pub fn forward(&self, q: &JointVector<N>) -> Pose {
+        // [G11] eq 3
         self.joints
             .iter()
             .zip(q.iter())

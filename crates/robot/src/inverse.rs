@@ -101,6 +101,7 @@ pub fn solve_rates<const N: usize>(
     jacobian: &Jacobian<N>,
     twist: &Twist,
 ) -> JointVector<N> {
+    // [G11] eq 5, with an inverse that exists everywhere.
     let rows = task.select_rows(jacobian);
     let twist = task.select(twist);
     match method {
@@ -138,6 +139,7 @@ fn adjugate_solve<const N: usize>(rows: &Jacobian<N>, task: Task, twist: &Twist,
         lu.solve(&packed)
     } else {
         let sign = if determinant < 0.0 { -1.0 } else { 1.0 };
+        // [G11] eq 24
         Some(adjugate(&square) * packed * (sign / epsilon))
     };
     // No solution means a NaN in the Jacobian: passed on, so that whoever commands joints brakes.

@@ -14,6 +14,7 @@ impl<const N: usize> SerialArm<N> {
     #[must_use]
     pub fn jacobian_at(&self, frames: &LinkFrames<N>) -> Jacobian<N> {
         let tip = frames.tool.translation.vector;
+        // [G11] eq 4, [N] eq 1
         let mut jacobian = Jacobian::<N>::zeros();
         for (i, joint) in self.joints().iter().enumerate() {
             let (z, o) = (frames.axes[i], frames.origins[i]);

@@ -9,6 +9,7 @@ use crate::bounds::positive_part;
 /// The paper's chattering band, `[G12] eq 22`: `T α1² K ‖u_SM‖ ‖∇σ‖`. An estimate of the width, not a bound on `φ`.
 #[must_use]
 pub fn chattering_estimate(period: f64, cutoff: f64, approach: f64, push: f64, gradient: f64) -> f64 {
+    // [G12] eq 22; [G12] eq 23 is the same number, read as a bound on `σ`.
     period * cutoff * cutoff * approach * libm::fabs(push) * libm::fabs(gradient)
 }
 
@@ -78,5 +79,6 @@ pub fn recovery_time(outside: f64, margin: f64, rate: f64, approach: f64) -> f64
 /// `min ‖u‖²` subject to `L_f φ + L_g φ u <= 0`, which the equivalent control attains (claim `path-equivalence`).
 #[must_use]
 pub fn required_gain<const M: usize>(multipliers: &[f64; M]) -> f64 {
+    // [G12] eq 18 with one multiplier; in place of [G12] eq 21 with several.
     multipliers.iter().fold(0.0, |most, &b| if b <= most || most.is_nan() { most } else { b })
 }

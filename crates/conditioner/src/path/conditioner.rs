@@ -181,6 +181,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
                 let (push, trap) = (&state.push, &state.trap);
                 Motion {
                     time: reference.time,
+                    // [G12] eq 4
                     position: add_scaled(&add_scaled(&reference.position, 1.0, &push.first), 1.0, &trap.walk),
                     velocity: add_scaled(&add_scaled(&reference.velocity, 1.0, &push.second), 1.0, &trap.speed),
                 }
@@ -193,6 +194,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
     fn push(&self, now: &Evaluated<N, M>) -> Result<Push<N, M>, HoldReason> {
         match self.settings.form.law() {
             Some(law) => {
+                // [G12] eq 13
                 let active = now.excess.map(|e| e >= 0.0);
                 law.push(self.settings.push_cutoff, &self.settings.approach, &now.samples, &active)
             }

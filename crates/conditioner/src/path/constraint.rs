@@ -50,6 +50,7 @@ impl<const N: usize> ConstraintSample<N> {
     #[inline(always)]
     #[must_use]
     pub fn phi(&self, approach: f64, velocity: &[f64; N]) -> f64 {
+        // [G12] eq 3
         self.value + approach * self.rate(velocity)
     }
 }
@@ -62,6 +63,7 @@ pub trait Constraint<const N: usize> {
     /// `σ` and its derivatives at `motion`.
     ///
     /// Where `σ` is not differentiable the gradient is reported as zero, which the conditioner treats as empty.
+    // [G12] eq 2: allowed is where no value is positive.
     fn sample(&self, motion: &Motion<N>) -> ConstraintSample<N>;
 }
 

@@ -41,6 +41,7 @@ pub(crate) fn smallest_correction<const N: usize, const M: usize>(
     rows: &[[f64; N]; M],
     bounds: &[f64; M],
 ) -> Result<Correction<N, M>, NoCorrection> {
+    // [G12] eq 19: its solution of least length.
     let mut set = ActiveSet::of_violated(rows, bounds);
     if set.is_optimal(rows, bounds) {
         return Ok(Correction { vector: set.u, multipliers: set.multipliers });
@@ -86,6 +87,7 @@ impl<const N: usize, const M: usize> ActiveSet<N, M> {
         let multipliers = solve_gram(rows, &active, &bounds.map(|b| -b));
         let mut u = [0.0; N];
         for (row, m) in rows.iter().zip(&multipliers) {
+            // [G12] eq 16 where one constraint acts.
             u = add_scaled(&u, -m, row);
         }
         Self { u, multipliers, active }

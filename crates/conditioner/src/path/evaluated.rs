@@ -85,6 +85,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         match self.discretisation {
             Discretisation::ZeroOrderHold => {
                 let [position, velocity] = self.filter.reach();
+                // [G12] eq 9, the part of `u_1`, over one period.
                 position + approach * velocity
             }
             Discretisation::PrewarpedTustin => {

@@ -44,6 +44,7 @@ impl PushFilter {
     fn zero_order_hold(cutoff: f64, period: f64) -> Self {
         let s = cutoff / core::f64::consts::SQRT_2;
         let (decay, c, n) = (exp(-s * period), cos(s * period), sin(s * period));
+        // [G12] eq 5, its solution over one period.
         let a = [[decay * (c + n), decay * n / s], [-2.0 * s * decay * n, decay * (c - n)]];
         Self { b: [1.0 - a[0][0], -a[1][0]], a, feedthrough: 0.0 }
     }
@@ -101,6 +102,7 @@ impl RateFilter {
     pub(crate) fn new(cutoff: f64, period: f64, discretisation: Discretisation) -> Self {
         match discretisation {
             Discretisation::ZeroOrderHold => {
+                // [G12] eq 6, its solution over one period.
                 let gain = -libm::expm1(-cutoff * period);
                 let memory = gain / cutoff;
                 Self { pole: 1.0 - gain, gain, feedthrough: 0.0, from_rate: memory, from_input: period - memory }

@@ -61,6 +61,7 @@ impl SwitchingLaw {
             samples.iter().zip(approach).zip(share.iter_mut().zip(active)).enumerate()
         {
             let length = norm(&sample.gradient);
+            // [G12] eq 15
             if acts && !(length > EMPTY) {
                 return Err(HoldReason::EmptyGradient(i));
             }
@@ -68,6 +69,7 @@ impl SwitchingLaw {
             let weight = if acts { self.weight(cutoff, k) } else { 0.0 };
             *part = if acts { weight * length } else { 0.0 };
             total += *part;
+            // [G12] eq 20, and [G12] eq 17 where one constraint acts.
             sum = add_scaled(&sum, -weight, &sample.gradient);
         }
         let length = norm(&sum);

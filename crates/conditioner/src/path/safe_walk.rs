@@ -123,6 +123,7 @@ impl<const N: usize, const M: usize> SafeWalk<'_, N, M> {
         let mut drift = *self.approach;
         for (drift, s) in drift.iter_mut().zip(&samples) {
             let acceleration = dot(&s.gradient, &self.pull) + dot(&s.gradient_rate, &velocity) + s.time_rate_rate;
+            // [G12] eq 10
             *drift = s.rate(&velocity) + *drift * acceleration;
         }
         drift

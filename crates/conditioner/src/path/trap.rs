@@ -79,6 +79,7 @@ impl TrapAvoidance {
         }
         match orthogonal_direction(situation.samples, &active, &state.direction) {
             Some(direction) => {
+                // [G12] eq 27
                 let wanted = self.settings.walk_speed + self.settings.walk_growth * state.time;
                 let walk = bounded(scaled(wanted, &direction), &active);
                 TrapInputs { walk, pace: 0.0, phase: TrapPhase::Walking }
@@ -89,6 +90,7 @@ impl TrapAvoidance {
 
     /// `u_2 = -Ke f_RW`: the position, as the poles of `[G12] eq 25` say.
     fn home<const N: usize>(&self, state: &TrapState<N>) -> [f64; N] {
+        // [G12] eq 24
         scaled(-self.settings.return_gain, &state.walk)
     }
 

@@ -27,6 +27,7 @@ pub(crate) fn orthogonal_direction<const N: usize, const M: usize>(
             }
         }
     }
+    // [G12] eq 26
     let mut left = *vector;
     // Twice is enough: the second pass removes what rounding left in the first.
     for axis in basis.iter().chain(&basis) {

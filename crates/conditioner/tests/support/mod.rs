@@ -31,7 +31,7 @@ pub fn wave(l: f64) -> ([f64; 3], [f64; 3]) {
     ([0.0, 0.1 * l.sin(), 0.1 * (PI - l)], [0.0, 0.1 * l.cos(), -0.1])
 }
 
-/// [G12] eq 29, 30.
+/// [G12] eq 29, [G12] eq 30.
 pub fn plane_and_sphere(motion: &Motion<3>) -> [ConstraintSample<3>; 2] {
     let plane = HalfSpace::new(&[0.0, 1.0, 0.0], 0.0).expect("a unit normal");
     let sphere = Ball::new([0.0; 3], 0.05, Side::Outside).expect("a positive radius");
@@ -47,7 +47,7 @@ pub fn one_ellipsoid(motion: &Motion<3>) -> [ConstraintSample<3>; 1] {
     [ellipsoid_at(0.0).sample(motion)]
 }
 
-/// [G12] eq 38, 39.
+/// [G12] eq 38, [G12] eq 39.
 pub fn two_ellipsoids(motion: &Motion<3>) -> [ConstraintSample<3>; 2] {
     [ellipsoid_at(-0.55).sample(motion), ellipsoid_at(0.55).sample(motion)]
 }

@@ -64,6 +64,7 @@ impl WristSensor {
     /// What is sensed, for a simulation.
     #[must_use]
     pub fn sensed(&self, external: &Twist, motion: &SensorMotion) -> Twist {
+        // [R16] eq 3
         turned(&(external + self.own(motion)), &motion.pose.inverse())
     }
 

@@ -41,8 +41,10 @@ impl<const N: usize> Flow<N> {
     #[must_use]
     pub fn motion(&self, b: f64, b_rate: f64) -> PathMotion<N> {
         PathMotion {
+            // [N] eq 4, in two parts: [N] eq 7 and [N] eq 8.
             joint_speed: self.direction.joints * b,
             joint_acceleration: self.slope.joints * (b * b) + self.direction.joints * b_rate,
+            // [N] eq 2 is this times the twist.
             path_speed: self.direction.path * b,
             path_acceleration: self.slope.path * (b * b) + self.direction.path * b_rate,
         }

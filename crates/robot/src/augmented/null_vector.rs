@@ -40,6 +40,7 @@ impl<const N: usize> NullVector<N> {
 #[must_use]
 pub fn null_vector<const N: usize>(jacobian: &SMatrix<f64, N, N>, tangent: &SVector<f64, N>) -> NullVector<N> {
     // The transpose in two parts, as the language has no N + 1: Jᵀ above, -tᵀ below. Reflectors replace the columns.
+    // [N] eq 3: the matrix whose kernel is looked for.
     let mut upper = jacobian.transpose();
     let mut lower = -*tangent;
     let mut weights = [0.0; N];
@@ -69,6 +70,7 @@ pub fn null_vector<const N: usize>(jacobian: &SMatrix<f64, N, N>, tangent: &SVec
         }
         path -= share * lower[k];
     }
+    // [N] eq 5, with the sign of [N] eq 6.
     NullVector { joints, path }.scaled(size)
 }
 

@@ -16,6 +16,7 @@ impl<const N: usize> PathTorque<N> {
     /// The torque at given `b` and `ḃ`, `[N] eq 10` with `∂n/∂q̄` multiplying `n̄`; `ḃ = 0` is eq 11.
     #[must_use]
     pub fn at(&self, b: f64, b_rate: f64) -> JointVector<N> {
+        // [N] eq 10; [N] eq 11 where `b_rate` is zero.
         self.inertial * (b * b) + self.impulse * b_rate + self.gravity
     }
 

@@ -126,6 +126,7 @@ impl<const N: usize> Dynamics<N> {
     /// far as they take part. N·m (N).
     #[must_use]
     pub fn inverse(&self, q: &JointVector<N>, qd: &JointVector<N>, qdd: &JointVector<N>) -> JointVector<N> {
+        // [N] eq 9, [R16] eq 1
         let rotors = JointVector::from_fn(|i, _| self.rotor(i) * qdd[i]);
         self.newton_euler(q, qd, qdd, &self.gravity) + rotors + self.friction(qd)
     }

@@ -20,6 +20,7 @@ impl ToolFeedback {
     pub fn acceleration(&self, desired: &ToolReference, actual: &ToolState) -> Twist {
         let error = pose_error(&desired.pose, &actual.pose);
         let rate = desired.twist - actual.twist;
+        // [R16] eq 2
         desired.acceleration + self.proportional.times(&error) + self.derivative.times(&rate)
     }
 }

@@ -103,6 +103,7 @@ impl VirtualMass {
     pub fn acceleration(&self, desired: &ToolReference, actual: &ToolState, external: &Twist) -> Twist {
         let error = pose_error(&desired.pose, &actual.pose);
         let rate = desired.twist - actual.twist;
+        // [R16] eq 4, with the signs of a spring that pulls back and a damper of the tool.
         let wrench = external + self.stiffness.times(&error) + self.damping.times(&rate);
         desired.acceleration + self.inverse_mass.component_mul(&wrench)
     }
