@@ -11,7 +11,7 @@
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --disable-pip-version-check ruckig==0.19.4
+"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check ruckig==0.19.4
 "$work/venv/bin/python" - <<'PY'
 from importlib.metadata import version
 from ruckig import InputParameter, OutputParameter, Result, Ruckig
