@@ -9,8 +9,8 @@
 #   outside gets a cliff whose gradient is 0, so nothing pulls it back; a speed limit of 0 there is infeasible.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check casadi==3.8.2 numpy==2.4.6
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check casadi==3.8.2 numpy==2.4.6
 "$work/venv/bin/python" - <<'PY'
 import casadi
 import numpy as np

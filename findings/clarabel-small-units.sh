@@ -11,8 +11,8 @@
 #   such QPs are small as a whole. Scale the problem to 1, or tighten both gap tolerances, before trusting "Solved".
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check clarabel==0.11.1 numpy==2.4.6 scipy==1.17.1
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check clarabel==0.11.1 numpy==2.4.6 scipy==1.17.1
 "$work/venv/bin/python" - <<'PY'
 import clarabel
 import numpy as np

@@ -10,8 +10,8 @@
 #   and the leader's tracking error is charged to the controller. Set the follower's qpos from the leader's first.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check mujoco==4.0.0
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check mujoco==4.0.0
 "$work/venv/bin/python" - <<'PY'
 import mujoco
 

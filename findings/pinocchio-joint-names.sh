@@ -10,8 +10,8 @@
 #   names, or when it passes from one of the two tools to the other. Map by name, always.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check pin==4.1.0 mujoco==4.0.0
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check pin==4.1.0 mujoco==4.0.0
 cat > "$work/robot.py" <<'PY'
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 

@@ -10,8 +10,8 @@
 #   the follower's, divided by the multiplier, after loading.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check pin==4.1.0 numpy==2.4.6
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check pin==4.1.0 numpy==2.4.6
 "$work/venv/bin/python" - <<'PY'
 import numpy as np
 import pinocchio

@@ -10,8 +10,8 @@
 #   with a jump in speed. Check getAccelerationLimitVectors() before generating.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check roboplan==0.7.0 roboplan-toppra==0.7.0 numpy==2.4.6
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check roboplan==0.7.0 roboplan-toppra==0.7.0 numpy==2.4.6
 cd "$work"
 printf 'joint_limits:\n  shoudler: {max_acceleration: [2.0]}\n' > misspelt.yaml
 printf 'joint_limits:\n  shoulder: {max_acceleration: [2.0]}\n' > limits.yaml

@@ -11,8 +11,8 @@
 #   segment but the first when segments are joined on one clock. Pass times that begin at 0, and shift afterwards.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check roboticstoolbox-python==1.5.0 numpy==2.4.6
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check roboticstoolbox-python==1.5.0 numpy==2.4.6
 "$work/venv/bin/python" - <<'PY'
 from importlib.metadata import version
 import numpy as np

@@ -10,8 +10,8 @@
 #   that closes through measurements, the remaining time must be counted down by the caller.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check ruckig==0.19.4
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check ruckig==0.19.4
 "$work/venv/bin/python" - <<'PY'
 from importlib.metadata import version
 from ruckig import InputParameter, OutputParameter, Result, Ruckig

@@ -10,8 +10,8 @@
 #   player that waits for the robot to settle, lies after the end. Clip the time to [0, duration] first.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
 "$work/venv/bin/python" - <<'PY'
 from importlib.metadata import version
 import numpy as np

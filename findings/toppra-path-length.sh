@@ -9,8 +9,8 @@
 # Why it matters: None reads as "the limits cannot be met". The limits are fine; rescale s to about 1 first.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
 "$work/venv/bin/python" - <<'PY'
 from importlib.metadata import version
 import numpy as np

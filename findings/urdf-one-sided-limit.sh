@@ -10,8 +10,8 @@
 #   go, and the one that finds out is the simulated arm. Write both bounds always.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check drake==1.51.1 mujoco==4.0.0 pin==4.1.0
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check drake==1.51.1 mujoco==4.0.0 pin==4.1.0
 cat > "$work/robot.py" <<'PY'
 import math
 

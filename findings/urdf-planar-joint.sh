@@ -11,8 +11,8 @@
 #   motion, or has the wrong width, in the next. Write two prismatic joints and a revolute one instead.
 set -euo pipefail
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
-python3 -m venv "$work/venv"
-"$work/venv/bin/pip" -q install --no-compile --disable-pip-version-check mujoco==4.0.0 pin==4.1.0 yourdfpy==0.0.60
+python3 -m venv --without-pip "$work/venv"
+python3 -m pip --python "$work/venv/bin/python" -q install --no-compile --disable-pip-version-check mujoco==4.0.0 pin==4.1.0 yourdfpy==0.0.60
 cd "$work"
 cat > robot.py <<'PY'
 URDF = (
