@@ -1,6 +1,6 @@
 use crate::{
-    DhRow, Drive, Dynamics, DynamicsError, Follower, GRAVITY, Joint, JointKind, JointLimits, LimitKind, LinkInertia, Note, Pose,
-    RobotError, SerialArm,
+    DhRow, Drive, Dynamics, DynamicsError, Follower, GRAVITY, Joint, JointKind, JointLimits, LimitKind, LinkInertia,
+    Note, Pose, RobotError, SerialArm,
 };
 use nalgebra::Vector3;
 

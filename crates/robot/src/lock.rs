@@ -34,7 +34,8 @@ impl RobotDescription {
         }
         self.followers_at(self.joints.len(), &mut chain, index, position);
         chain.fixed(&self.tool);
-        let mut robot = Self { joints: chain.joints, followers: chain.followers, tool: chain.pose, dh: None, ..self.clone() };
+        let mut robot =
+            Self { joints: chain.joints, followers: chain.followers, tool: chain.pose, dh: None, ..self.clone() };
         robot.notes.push(Note::Locked { joint: joint.to_owned(), position });
         Ok(robot)
     }

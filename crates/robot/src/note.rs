@@ -85,17 +85,17 @@ pub enum Note {
         /// The joint.
         joint: String,
     },
-    /// A limit of zero, which is no limit.
+    /// Limits of zero, which are no limits.
     ZeroLimit {
-        /// The joint.
-        joint: String,
+        /// The joints.
+        joints: Vec<String>,
         /// The limit.
         limit: LimitKind,
     },
-    /// A limit that the file ought to give and does not.
+    /// Limits that the file ought to give and does not.
     MissingLimit {
-        /// The joint.
-        joint: String,
+        /// The joints.
+        joints: Vec<String>,
         /// The limit.
         limit: LimitKind,
     },
@@ -185,11 +185,9 @@ impl fmt::Display for Note {
                 f,
                 "link `{base}` is tilted against the root `{root}`: gravity in its frame is ({x:.4}, {y:.4}, {z:.4}) m/s²"
             ),
-            Self::BaseMoves { base, joints } => write!(
-                f,
-                "link `{base}` is moved by {}, held at zero: gravity is that of this posture",
-                joints.iter().map(|joint| format!("joint `{joint}`")).collect::<Vec<_>>().join(", ")
-            ),
+            Self::BaseMoves { base, joints } => {
+                write!(f, "link `{base}` is moved by {}, held at zero: gravity is that of this posture", named(joints))
+            }
             Self::Locked { joint, position } => write!(f, "joint `{joint}` is locked at {position}"),
             Self::Aside { .. } | Self::FollowsOutside { .. } => self.outside(f),
             Self::Follows { .. } | Self::FollowerLimits { .. } | Self::HeldMimic { .. } => self.mimics(f),
@@ -259,11 +257,11 @@ impl Note {
                 f,
                 "joint `{joint}`: its range from 0 to 0 is read as no range; a joint that cannot move is of type `fixed`"
             ),
-            Self::ZeroLimit { joint, limit } => {
-                write!(f, "joint `{joint}`: its {0} limit of 0 is read as no {0} limit", limit.name())
+            Self::ZeroLimit { joints, limit } => {
+                write!(f, "{}: the {1} limit of 0 is read as no {1} limit", named(joints), limit.name())
             }
-            Self::MissingLimit { joint, limit } => {
-                write!(f, "joint `{joint}`: the file gives no {} limit", limit.name())
+            Self::MissingLimit { joints, limit } => {
+                write!(f, "{}: the file gives no {} limit", named(joints), limit.name())
             }
             Self::SoftLimits { joint, range } => write!(
                 f,
@@ -277,4 +275,10 @@ impl Note {
             _ => Ok(()),
         }
     }
+}
+
+/// Joints by their names.
+fn named(joints: &[String]) -> String {
+    let names = joints.iter().map(|joint| format!("`{joint}`")).collect::<Vec<_>>().join(", ");
+    format!("joint{} {names}", if joints.len() == 1 { "" } else { "s" })
 }

@@ -80,7 +80,10 @@ fn a_seven_axis_urdf_with_a_gripper_ends_between_the_fingers_and_carries_them() 
     assert_eq!((robot.tip.as_str(), robot.joint_count()), ("hand_tcp", 7));
     assert_eq!(robot.notes.len(), 3);
     let says: Vec<String> = robot.notes.iter().map(ToString::to_string).collect();
-    assert!(says.iter().any(|note| note.contains("`finger2` (it mimics `finger1`) is not part of the arm")), "{says:?}");
+    assert!(
+        says.iter().any(|note| note.contains("`finger2` (it mimics `finger1`) is not part of the arm")),
+        "{says:?}"
+    );
     assert_eq!(robot.tip_alternatives, ["flange", "left_finger", "right_finger"]);
     // Link 7 weighs 0.9, the hand 0.7, two fingers 0.1 each.
     assert!((robot.joints[6].link.mass - 1.8).abs() < 1e-15 * 4.0);
@@ -101,7 +104,10 @@ fn wrong_files_are_refused_with_the_element_and_a_remedy() {
     };
     let cases = [
         (planar("</robot>", ""), "not a URDF"),
-        (planar("<mass value=\"2\"/>", "<mass value=\"two\"/>"), "link `upper`: `value=\"two\"` of its `<mass>` is not a number"),
+        (
+            planar("<mass value=\"2\"/>", "<mass value=\"two\"/>"),
+            "link `upper`: `value=\"two\"` of its `<mass>` is not a number",
+        ),
         (planar("xyz=\"0 0 0.5\"", "xyz=\"0 0\""), "joint `elbow`: `xyz=\"0 0\"` of its `<origin>` is not 3 numbers"),
         (planar("name=\"elbow\"", "name=\"shoulder\""), "two joints are called `shoulder`"),
         (

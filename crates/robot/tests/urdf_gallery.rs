@@ -100,7 +100,11 @@ fn every_file_agrees_with_pinocchio_in_pose_jacobian_mass_matrix_gravity_and_tor
     assert!(robots.len() >= 20);
     for (name, expected) in robots {
         let robot = read(name);
-        assert_eq!((&robot.base, &robot.tip), (&expected["base"].as_str().expect("base").into(), &expected["tip"].as_str().expect("tip").into()), "{name}");
+        assert_eq!(
+            (&robot.base, &robot.tip),
+            (&expected["base"].as_str().expect("base").into(), &expected["tip"].as_str().expect("tip").into()),
+            "{name}"
+        );
         for row in expected["states"].as_array().expect("states") {
             let [q, qd, qdd] = ["q", "qd", "qdd"].map(|key| list(&row[key]));
             let found = state(&robot, [&q, &qd, &qdd]);
@@ -153,28 +157,57 @@ fn range(lower: f64, upper: f64) -> Option<PositionRange> {
 #[test]
 fn missing_and_zero_limits_are_none_and_said_with_the_joint() {
     let robot = read("no_speed");
-    assert_eq!(robot.joints[0].limits, JointLimits { position: range(-1.0, 1.0), effort: Some(30.0), ..JointLimits::default() });
+    assert_eq!(
+        robot.joints[0].limits,
+        JointLimits { position: range(-1.0, 1.0), effort: Some(30.0), ..JointLimits::default() }
+    );
     assert_eq!(robot.joints[1].limits, JointLimits::default());
-    assert_eq!(robot.notes[0], Note::MissingLimit { joint: "j1".into(), limit: LimitKind::Velocity });
-    assert_eq!((robot.notes.len(), robot.velocity_limits()), (4, None));
+    assert_eq!(
+        robot.notes[0],
+        Note::MissingLimit { joints: vec!["j1".into(), "j2".into()], limit: LimitKind::Velocity }
+    );
+    assert_eq!((robot.notes.len(), robot.velocity_limits()), (3, None));
     assert_eq!(robot.joints_without(LimitKind::Velocity), ["j1", "j2"]);
     let robot = read("zero_limits");
     assert_eq!((robot.joints[0].limits.velocity, robot.joints[0].limits.effort), (None, None));
     assert_eq!(robot.joints_without(LimitKind::Velocity), ["j1"]);
     assert_eq!(robot.notes.len(), 2);
     let robot = read("frozen");
-    assert_eq!((robot.joints[0].limits.position, robot.notes.as_slice()), (None, &[Note::NoRange { joint: "j1".into() }][..]));
+    assert_eq!(
+        (robot.joints[0].limits.position, robot.notes.as_slice()),
+        (None, &[Note::NoRange { joint: "j1".into() }][..])
+    );
 }
 
 #[test]
 fn limits_count_by_the_version_of_the_file() {
     let robot = read("version_1_2");
     let [first, second] = [0, 1].map(|i| robot.joints[i].limits);
-    assert_eq!(first, JointLimits { position: range(-1.5, f64::INFINITY), velocity: Some(2.0), effort: None, acceleration: Some(5.0), jerk: Some(40.0) });
-    assert_eq!(second, JointLimits { position: range(f64::NEG_INFINITY, 1.0), effort: Some(7.0), acceleration: Some(4.0), ..JointLimits::default() });
+    assert_eq!(
+        first,
+        JointLimits {
+            position: range(-1.5, f64::INFINITY),
+            velocity: Some(2.0),
+            effort: None,
+            acceleration: Some(5.0),
+            jerk: Some(40.0)
+        }
+    );
+    assert_eq!(
+        second,
+        JointLimits {
+            position: range(f64::NEG_INFINITY, 1.0),
+            effort: Some(7.0),
+            acceleration: Some(4.0),
+            ..JointLimits::default()
+        }
+    );
     assert_eq!((robot.acceleration_limits(), robot.notes.len()), (Some(vec![5.0, 4.0]), 1), "{}", says(&robot));
     let robot = read("version_1_0");
-    assert_eq!(robot.joints[0].limits, JointLimits { position: range(0.0, 1.5), velocity: Some(2.0), effort: Some(9.0), ..JointLimits::default() });
+    assert_eq!(
+        robot.joints[0].limits,
+        JointLimits { position: range(0.0, 1.5), velocity: Some(2.0), effort: Some(9.0), ..JointLimits::default() }
+    );
     let unread = |attribute| Note::NeedsVersion { joint: "j1".into(), attribute };
     assert_eq!(robot.notes, [unread("acceleration"), unread("jerk")]);
     let newer = text("version_1_2").replace("version=\"1.2\"", "version=\"1.7\"");
@@ -196,7 +229,10 @@ fn soft_limits_narrow_the_range_and_zeros_do_not() {
 fn followers_bind_and_brake_their_leader() {
     let robot = read("mimic");
     assert_eq!((robot.joint_count(), robot.followers.len()), (2, 1));
-    assert_eq!(robot.notes[0].to_string(), "joint `j2` moves with joint `j1`: its position is -0.5 times that plus 0.3");
+    assert_eq!(
+        robot.notes[0].to_string(),
+        "joint `j2` moves with joint `j1`: its position is -0.5 times that plus 0.3"
+    );
     // -2 <= 0.3 - q / 2 <= 2, and |q̇ / 2| <= 3, which j1 keeps anyway.
     assert_eq!(robot.joints[0].limits.position, range(-2.0, 2.0));
     let friction = robot.joints[0].drive.friction;
@@ -274,7 +310,10 @@ fn gravity_is_that_of_the_root_whatever_the_base_and_can_be_replaced() {
 fn a_guessed_tip_is_said_with_the_others() {
     let robot = read("tips");
     assert_eq!((robot.tip.as_str(), robot.tip_alternatives.as_slice()), ("tool0", &["camera_optical".to_owned()][..]));
-    assert_eq!(robot.notes[0].to_string(), "link `tool0` was taken as the tip; the others that could be meant are `camera_optical`");
+    assert_eq!(
+        robot.notes[0].to_string(),
+        "link `tool0` was taken as the tip; the others that could be meant are `camera_optical`"
+    );
     let given = RobotDescription::parse_urdf(&text("tips"), &from(None, Some("camera"))).expect("reads");
     assert!(given.tip_alternatives.is_empty() && given.notes.is_empty());
     let robot = read("beside_gripper");
@@ -313,14 +352,19 @@ fn other_formats_are_recognised_and_answered_with_a_way_out() {
 #[test]
 fn refusals_name_the_joint_or_link_the_line_and_the_value() {
     for (name, from, to, says) in [
-        ("plain", "upper=\"2\"", "upper=\"wide\"", "line 22: joint `j1`: `upper=\"wide\"` of its `<limit>` is not a number"),
-        ("plain", "lower=\"-2\"", "lower=\"nan\"", "line 22: joint `j1`: a number in its limit is not finite"),
-        ("plain", "<parent link=\"base\"/>", "", "line 18: joint `j1` has no parent link"),
-        ("plain", " type=\"revolute\"", "", "line 18: joint `j1` has no type"),
-        ("plain", "<joint name=\"j1\"", "<joint", "line 18: a joint has no name"),
-        ("plain", "value=\"2.0\"", "value=\"-1\"", "line 5: link `a`: its mass is -1 kg"),
-        ("plain", "ixx=\"0.02\"", "ixx=\"-0.02\"", "line 5: link `a`: its inertia matrix has the negative"),
-        ("plain", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 0\"/>", "line 22: joint `j1`: its axis is zero"),
+        (
+            "plain",
+            "upper=\"2\"",
+            "upper=\"wide\"",
+            "line 23: joint `j1`: `upper=\"wide\"` of its `<limit>` is not a number",
+        ),
+        ("plain", "lower=\"-2\"", "lower=\"nan\"", "line 23: joint `j1`: a number in its limit is not finite"),
+        ("plain", "<parent link=\"base\"/>", "", "line 19: joint `j1` has no parent link"),
+        ("plain", " type=\"revolute\"", "", "line 19: joint `j1` has no type"),
+        ("plain", "<joint name=\"j1\"", "<joint", "line 19: a joint has no name"),
+        ("plain", "value=\"2.0\"", "value=\"-1\"", "line 6: link `a`: its mass is -1 kg"),
+        ("plain", "ixx=\"0.02\"", "ixx=\"-0.02\"", "line 6: link `a`: its inertia matrix has the negative"),
+        ("plain", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 0\"/>", "line 23: joint `j1`: its axis is zero"),
         ("version_1_2", "0.1 0.2 -0.3 0.9273618495495703", "0 0 0 0", "joint `j2`: its `quat_xyzw` is zero"),
         ("mimic", "multiplier=\"-0.5\"", "multiplier=\"half\"", "joint `j2`: `multiplier=\"half\"` of its `<mimic>`"),
         ("mimic", "joint=\"j1\" m", "m", "joint `j2` has no joint to mimic"),
@@ -430,6 +474,17 @@ proptest! {
 }
 
 const GRAFTS: &[&str] = &[
-    "1e308", "nan", "inf", "<mimic joint=\"j1\" multiplier=\"1e300\" offset=\"1e300\"/>", "<mimic joint='j2'/>", "j1", "base",
-    "</joint>", "<joint name='x' type='fixed'><parent link='b'/><child link='base'/></joint>", "<!--", "<![CDATA[", "&lt;", "\"",
+    "1e308",
+    "nan",
+    "inf",
+    "<mimic joint=\"j1\" multiplier=\"1e300\" offset=\"1e300\"/>",
+    "<mimic joint='j2'/>",
+    "j1",
+    "base",
+    "</joint>",
+    "<joint name='x' type='fixed'><parent link='b'/><child link='base'/></joint>",
+    "<!--",
+    "<![CDATA[",
+    "&lt;",
+    "\"",
 ];

@@ -149,7 +149,9 @@ impl SrdfError {
             SrdfFault::UnknownPart { .. } => "use the URDF and the SRDF of the same robot".into(),
             SrdfFault::NoSuchState { known, .. } => format!("the configurations are {}", known.join(", ")),
             SrdfFault::SeveralStates { .. } => "name the group too".into(),
-            SrdfFault::NoPosition { .. } => "choose a configuration of the arm's own group, or give the positions".into(),
+            SrdfFault::NoPosition { .. } => {
+                "choose a configuration of the arm's own group, or give the positions".into()
+            }
             SrdfFault::Urdf { remedy, .. } => remedy.clone(),
         }
     }

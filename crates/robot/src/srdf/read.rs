@@ -75,9 +75,8 @@ impl Reader<'_> {
     }
 
     fn group(&self, element: &Element) -> Result<Group, SrdfError> {
-        let chain = |chain: &Element| {
-            Ok(Chain { base: self.value(chain, "base_link")?, tip: self.value(chain, "tip_link")? })
-        };
+        let chain =
+            |chain: &Element| Ok(Chain { base: self.value(chain, "base_link")?, tip: self.value(chain, "tip_link")? });
         Ok(Group {
             name: self.value(element, "name")?,
             chains: element.children("chain").map(chain).collect::<Result<_, SrdfError>>()?,

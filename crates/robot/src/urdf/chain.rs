@@ -7,17 +7,10 @@ use super::share::Share;
 use super::tree::Tree;
 use super::{UrdfError, UrdfFault};
 use crate::assembly::Assembly;
-use crate::{
-    Follower, FollowerDescription, JointDescription, LinkInertia, Note, Pose, RobotDescription, RobotError,
-};
+use crate::{Follower, FollowerDescription, JointDescription, LinkInertia, Note, Pose, RobotDescription, RobotError};
 
 /// The arm between two links of a checked tree.
-pub(super) fn describe(
-    file: &UrdfFile,
-    tree: &Tree<'_>,
-    base: &str,
-    tip: &str,
-) -> Result<RobotDescription, UrdfError> {
+pub(super) fn describe(file: &UrdfFile, tree: &Tree<'_>, base: &str, tip: &str) -> Result<RobotDescription, UrdfError> {
     let chain = tree.chain(base, tip)?;
     let mut reader = ChainReader::new(tree, file, &chain)?;
     for (i, joint) in chain.iter().enumerate() {
@@ -156,7 +149,9 @@ impl<'a> ChainReader<'a> {
         let position = mimicry.as_ref().map_or(0.0, |mimicry| mimicry.offset);
         let (name, leader) = (joint.name.clone(), mimicry.map(|mimicry| mimicry.leader.name.clone()));
         self.notes.push(match leader {
-            Some(leader) if self.own.contains(&leader.as_str()) => Note::FollowsOutside { joint: name, leader, position },
+            Some(leader) if self.own.contains(&leader.as_str()) => {
+                Note::FollowsOutside { joint: name, leader, position }
+            }
             leader => Note::Aside { joint: name, leader, position },
         });
         held(joint, position)

@@ -1,7 +1,7 @@
 use super::values::{Owner, is_expression};
 use super::{ForeignFormat, UrdfError, UrdfFault};
-use crate::xml::{self, Element};
 use crate::Note;
+use crate::xml::{self, Element};
 
 /// The links and joints of a URDF, their numbers not yet read.
 pub(crate) struct UrdfFile {
@@ -98,7 +98,9 @@ fn check_format(root: &Element) -> Result<(), UrdfError> {
     }
     // Expanded files often keep the declaration: it tells a xacro file only where nothing else is.
     if root.child("link").is_none() && root.attribute("xmlns:xacro").is_some() {
-        return Err(UrdfFault::Xacro { found: "its root declares `xmlns:xacro` and there is no link".into() }.at(&root.tag));
+        return Err(
+            UrdfFault::Xacro { found: "its root declares `xmlns:xacro` and there is no link".into() }.at(&root.tag)
+        );
     }
     if root.child("link").is_none() && root.children.iter().any(|child| child.name != "joint") {
         return other(ForeignFormat::Srdf);

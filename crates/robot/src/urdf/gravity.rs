@@ -1,6 +1,6 @@
+use super::UrdfError;
 use super::mimic::{held, mimicry};
 use super::tree::Tree;
-use super::UrdfError;
 use crate::{GRAVITY, Note, Pose};
 use nalgebra::Vector3;
 

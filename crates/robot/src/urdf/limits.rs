@@ -47,8 +47,21 @@ impl LimitReader<'_> {
         self.element.map_or(Ok(None), |element| self.joint.owner().number(element, key))
     }
 
-    fn note(&mut self, note: fn(String, LimitKind) -> Note, limit: LimitKind) {
-        self.notes.push(note(self.joint.name.clone(), limit));
+    /// Adds the joint to the note on this limit that other joints have called for, or makes one.
+    fn note(&mut self, note: fn(Vec<String>, LimitKind) -> Note, limit: LimitKind) {
+        let new = note(vec![self.joint.name.clone()], limit);
+        for old in self.notes.iter_mut() {
+            match (old, &new) {
+                (Note::ZeroLimit { joints, limit }, Note::ZeroLimit { limit: same, .. })
+                | (Note::MissingLimit { joints, limit }, Note::MissingLimit { limit: same, .. })
+                    if limit == same =>
+                {
+                    return joints.push(self.joint.name.clone());
+                }
+                _ => {}
+            }
+        }
+        self.notes.push(new);
     }
 
     /// The range of `lower` and `upper`, [`OPEN`] if there is none.
@@ -79,7 +92,8 @@ impl LimitReader<'_> {
         let mut range = hard;
         if let Some(element) = soft {
             let owner = self.joint.owner();
-            let (lower, upper) = (owner.number(element, "soft_lower_limit")?, owner.number(element, "soft_upper_limit")?);
+            let (lower, upper) =
+                (owner.number(element, "soft_lower_limit")?, owner.number(element, "soft_upper_limit")?);
             if (lower.unwrap_or_default(), upper.unwrap_or_default()) != (0.0, 0.0) {
                 range.lower = hard.lower.max(lower.unwrap_or(OPEN.lower));
                 range.upper = hard.upper.min(upper.unwrap_or(OPEN.upper));
@@ -129,10 +143,10 @@ impl LimitReader<'_> {
     }
 }
 
-fn missing(joint: String, limit: LimitKind) -> Note {
-    Note::MissingLimit { joint, limit }
+fn missing(joints: Vec<String>, limit: LimitKind) -> Note {
+    Note::MissingLimit { joints, limit }
 }
 
-fn zero(joint: String, limit: LimitKind) -> Note {
-    Note::ZeroLimit { joint, limit }
+fn zero(joints: Vec<String>, limit: LimitKind) -> Note {
+    Note::ZeroLimit { joints, limit }
 }

@@ -7,7 +7,9 @@ impl UrdfFault {
     pub fn remedy(&self) -> String {
         match self {
             Self::Read { .. } => "give the path of a URDF file".into(),
-            Self::Encoding { .. } => "save the file as UTF-8, or declare its encoding as `ISO-8859-1` if it is that".into(),
+            Self::Encoding { .. } => {
+                "save the file as UTF-8, or declare its encoding as `ISO-8859-1` if it is that".into()
+            }
             Self::Malformed { .. } => "check the XML near the place named".into(),
             Self::Xacro { .. } => XACRO.into(),
             Self::OtherFormat { format } => format.remedy().into(),

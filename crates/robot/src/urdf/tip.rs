@@ -9,7 +9,8 @@ const CONVENTIONS: [&str; 4] = ["tool0", "flange", "ee_link", "tcp"];
 /// A tip that was guessed.
 pub(super) struct Guess<'a> {
     pub(super) tip: &'a str,
-    /// The other links that could have been meant, in the order of the file's joints.
+    /// The other links that could have been meant, in the order of the file's joints: they end the tree beyond the arm's
+    /// first joint, or have a conventional name.
     pub(super) alternatives: Vec<&'a str>,
 }
 
@@ -19,18 +20,17 @@ pub(super) struct Guess<'a> {
 /// several leads to a conventional name; from there through fixed joints to a conventional name, one that ends the tree
 /// before others, or else as far as the fixed joints lead.
 pub(super) fn guess<'a>(tree: &Tree<'a>, base: &str) -> Result<Guess<'a>, UrdfError> {
-    let last = last_moving(tree, base)?;
+    let Arm { first, last } = arm(tree, base)?;
     let candidates = beyond(tree, last, |joint| !joint.moves());
     let ends = |link: &str| tree.children(link).iter().all(|joint| joint.moves());
     let named = |&&(_, link): &&(usize, &'a str)| convention(link).is_some();
     // Of equals the first: an end before a way station, the more usual name before others, the farther before the nearer.
-    let best = candidates.iter().filter(named).min_by_key(|(depth, link)| {
-        (!ends(link), convention(link), usize::MAX - depth)
-    });
+    let best =
+        candidates.iter().filter(named).min_by_key(|(depth, link)| (!ends(link), convention(link), usize::MAX - depth));
     let farthest = || candidates.iter().rev().max_by_key(|(depth, _)| *depth);
     let tip = best.or_else(farthest).map_or(last, |(_, link)| *link);
     let other = |link: &&str| *link != tip && (tree.children(link).is_empty() || convention(link).is_some());
-    let alternatives = beyond(tree, last, |_| true).into_iter().map(|(_, link)| link).filter(other).collect();
+    let alternatives = beyond(tree, first, |_| true).into_iter().map(|(_, link)| link).filter(other).collect();
     Ok(Guess { tip, alternatives })
 }
 
@@ -43,28 +43,34 @@ fn convention(link: &str) -> Option<usize> {
     CONVENTIONS.iter().position(|name| is(&name))
 }
 
-/// The link behind the last joint that is sure to be of the arm, the base if there is no joint.
-fn last_moving<'a>(tree: &Tree<'a>, base: &str) -> Result<&'a str, UrdfError> {
+/// The links behind the first and the last joint that are sure to be of the arm, the base if there is no joint.
+struct Arm<'a> {
+    first: &'a str,
+    last: &'a str,
+}
+
+fn arm<'a>(tree: &Tree<'a>, base: &str) -> Result<Arm<'a>, UrdfError> {
     let moving = tree.moving();
     let mut link = tree.link(base)?.name.as_str();
-    let (mut joints, mut behind) = (0, link);
+    let (mut joints, mut arm) = (0, Arm { first: link, last: link });
     loop {
         // A tool frame beside the only joint that moves on: the joint is that of a gripper.
-        let ends_here = joints > 0 && beyond(tree, link, |joint| !joint.moves()).iter().any(|(_, l)| convention(l).is_some());
+        let ends_here =
+            joints > 0 && beyond(tree, link, |joint| !joint.moves()).iter().any(|(_, l)| convention(l).is_some());
         let branches = moving_branches(tree, link, &moving);
         let conventional: Vec<_> = branches.iter().filter(|j| leads_to_convention(tree, &j.child)).collect();
         let next = match (branches.as_slice(), conventional.as_slice()) {
-            ([_], []) if ends_here => return Ok(behind),
+            ([_], []) if ends_here => return Ok(arm),
             ([only], _) => only,
             (_, [only]) => **only,
-            ([], _) => return Ok(behind),
+            ([], _) => return Ok(arm),
             (several, _) if joints == 0 => return Err(several_arms(tree, link, several)),
-            _ => return Ok(behind),
+            _ => return Ok(arm),
         };
         link = &next.child;
         if next.moves() {
+            arm = Arm { first: if joints == 0 { link } else { arm.first }, last: link };
             joints += 1;
-            behind = link;
         }
     }
 }

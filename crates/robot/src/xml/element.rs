@@ -44,14 +44,11 @@ impl Element {
 }
 
 /// The attributes of a tag.
-pub(super) fn attributes(
-    start: &BytesStart<'_>,
-    text: &str,
-    tag: &Range<usize>,
-) -> Result<Vec<Attribute>, XmlFault> {
+pub(super) fn attributes(start: &BytesStart<'_>, text: &str, tag: &Range<usize>) -> Result<Vec<Attribute>, XmlFault> {
     let fault = |message: String| XmlFault { message, bytes: tag.clone() };
     let read = |attribute: Result<quick_xml::events::attributes::Attribute<'_>, _>| {
-        let attribute = attribute.map_err(|error: quick_xml::events::attributes::AttrError| fault(error.to_string()))?;
+        let attribute =
+            attribute.map_err(|error: quick_xml::events::attributes::AttrError| fault(error.to_string()))?;
         let value = attribute.unescape_value().map_err(|error| fault(error.to_string()))?.into_owned();
         let key = String::from_utf8_lossy(attribute.key.as_ref()).into_owned();
         Ok(Attribute { key, value, bytes: place(&attribute.value, text).unwrap_or_else(|| tag.clone()) })

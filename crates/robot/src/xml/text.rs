@@ -45,7 +45,10 @@ mod tests {
 
     #[test]
     fn bytes_are_read_by_their_declaration_and_else_as_utf_8() {
-        assert_eq!(decode(b"<?xml version='1.0' encoding='ISO-8859-1'?><!--\xfc-->").expect("Latin-1").chars().nth(47), Some('ü'));
+        assert_eq!(
+            decode(b"<?xml version='1.0' encoding='ISO-8859-1'?><!--\xfc-->").expect("Latin-1").chars().nth(47),
+            Some('ü')
+        );
         assert_eq!(decode(b"\xef\xbb\xbf<robot/>").expect("UTF-8"), "<robot/>");
         assert_eq!(decode(b"\n<!--\xfc-->"), Err(TextFault::Encoding { declared: None, line: 2 }));
         let declared = decode(b"<?xml version=\"1.0\" encoding=\"windows-1252\"?>\n\n<!--\x93-->");
