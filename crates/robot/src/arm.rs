@@ -1,4 +1,4 @@
-use crate::{DhRow, JointVector, Pose, RobotError};
+use crate::{DhRow, Follower, JointVector, Pose, RobotError};
 use nalgebra::{Rotation3, Translation3, Unit, Vector3};
 
 /// How a joint moves.
@@ -13,7 +13,7 @@ pub enum JointKind {
 /// One joint: where it sits in the frame of the link before it, and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
-    /// Joint frame in the frame of the previous link (of the base for the first joint).
+    /// Joint frame in the frame of the link before it (of the base for the first joint).
     pub origin: Pose,
     /// Axis of motion in the joint frame.
     pub axis: Unit<Vector3<f64>>,
@@ -44,12 +44,15 @@ impl Joint {
 /// T(q) = Π_i (origin_i · motion_i(q_i)) · tool
 /// ```
 ///
-/// A standard DH table is one way to write it down, see [`SerialArm::from_dh`].
+/// A standard DH table is one way to write it down, see [`SerialArm::from_dh`]. Joints that follow others take their place
+/// in the product, see [`SerialArm::with_followers`]; the `N` joints are those that move on their own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SerialArm<const N: usize> {
-    joints: [Joint; N],
-    tool: Pose,
-    dh: Option<[DhRow; N]>,
+    pub(crate) joints: [Joint; N],
+    pub(crate) tool: Pose,
+    pub(crate) dh: Option<[DhRow; N]>,
+    /// In the order from base to tool.
+    pub(crate) followers: Vec<Follower>,
 }
 
 /// The frames of an arm at one configuration, in the base frame.
@@ -61,13 +64,15 @@ pub struct LinkFrames<const N: usize> {
     pub axes: [Vector3<f64>; N],
     /// Pose of the tool.
     pub tool: Pose,
+    /// The configuration, from which an arm with followers finds the frames of those again.
+    pub(crate) q: JointVector<N>,
 }
 
 impl<const N: usize> SerialArm<N> {
     /// A chain of joints and the tool's pose in the last link's frame.
     #[must_use]
     pub fn new(joints: [Joint; N], tool: Pose) -> Self {
-        Self { joints, tool, dh: None }
+        Self { joints, tool, dh: None, followers: Vec::new() }
     }
 
     /// An arm of revolute joints from a standard DH table.
@@ -91,7 +96,7 @@ impl<const N: usize> SerialArm<N> {
             let origin = std::mem::replace(&mut before, row.after_joint());
             Joint { origin, axis: Vector3::z_axis(), kind: JointKind::Revolute, offset: row.offset }
         });
-        Self { joints, tool: before, dh: Some(rows) }
+        Self { joints, tool: before, dh: Some(rows), followers: Vec::new() }
     }
 
     /// The joints, from base to tool.
@@ -109,6 +114,9 @@ impl<const N: usize> SerialArm<N> {
     /// Forward kinematics: the pose of the tool in the base frame.
     #[must_use]
     pub fn forward(&self, q: &JointVector<N>) -> Pose {
+        if !self.followers.is_empty() {
+            return self.coupled_tool(q);
+        }
         // [G11] eq 3
         self.joints
             .iter()
@@ -120,6 +128,9 @@ impl<const N: usize> SerialArm<N> {
     /// The frame of each joint after its motion, in which the link behind it stands still, in the base frame.
     #[must_use]
     pub fn link_poses(&self, q: &JointVector<N>) -> [Pose; N] {
+        if !self.followers.is_empty() {
+            return self.coupled_link_poses(q);
+        }
         let mut pose = Pose::identity();
         std::array::from_fn(|i| {
             pose = pose * self.joints[i].origin * self.joints[i].motion(q[i]);
@@ -127,8 +138,11 @@ impl<const N: usize> SerialArm<N> {
         })
     }
 
-    /// What follows joint `i`: the origin of the next joint, or the tool, in the frame of the joint after its motion.
+    /// What comes after joint `i`: the origin of the next joint, or the tool, in the frame of the joint after its motion.
     pub(crate) fn after_joint(&self, i: usize) -> Pose {
+        if let Some(next) = self.followers.iter().find(|follower| follower.after == i + 1) {
+            return next.joint.origin;
+        }
         self.joints.get(i + 1).map_or(self.tool, |next| next.origin)
     }
 
@@ -141,6 +155,9 @@ impl<const N: usize> SerialArm<N> {
     /// Forward kinematics with the joint frames that the Jacobian needs.
     #[must_use]
     pub fn frames(&self, q: &JointVector<N>) -> LinkFrames<N> {
+        if !self.followers.is_empty() {
+            return self.coupled_frames(q);
+        }
         let mut pose = Pose::identity();
         let mut origins = [Vector3::zeros(); N];
         let mut axes = [Vector3::zeros(); N];
@@ -150,6 +167,6 @@ impl<const N: usize> SerialArm<N> {
             *axis = pose.rotation * joint.axis.into_inner();
             pose *= joint.motion(q);
         }
-        LinkFrames { origins, axes, tool: pose * self.tool }
+        LinkFrames { origins, axes, tool: pose * self.tool, q: *q }
     }
 }

@@ -1,4 +1,8 @@
-use crate::{DhRow, Drive, Dynamics, DynamicsError, Joint, JointKind, LinkInertia, Pose, RobotError, SerialArm};
+use crate::{
+    DhRow, Drive, Dynamics, DynamicsError, Follower, GRAVITY, Joint, JointKind, JointLimits, LimitKind, LinkInertia,
+    Note, Pose, RobotError, SerialArm,
+};
+use nalgebra::Vector3;
 
 /// An arm as a file or a table describes it, its number of joints known at run time only.
 ///
@@ -11,12 +15,18 @@ pub struct RobotDescription {
     pub base: String,
     /// Name of the frame that counts as the tool.
     pub tip: String,
-    /// The joints that move, from base to tip.
+    /// Other links that could have been meant as the tip; none where the tip was given.
+    pub tip_alternatives: Vec<String>,
+    /// The joints that move on their own, from base to tip.
     pub joints: Vec<JointDescription>,
+    /// The joints between base and tip that follow one of [`RobotDescription::joints`], from base to tip.
+    pub followers: Vec<FollowerDescription>,
     /// Pose of the tip in the frame of the last joint after its motion.
     pub tool: Pose,
-    /// What was read and left aside, in words.
-    pub notes: Vec<String>,
+    /// Gravitational acceleration in the base frame, m/s².
+    pub gravity: Vector3<f64>,
+    /// What was guessed, held or left aside.
+    pub notes: Vec<Note>,
     /// The DH table the description was made from, if it was.
     pub(crate) dh: Option<Vec<DhRow>>,
 }
@@ -36,32 +46,15 @@ pub struct JointDescription {
     pub drive: Drive,
 }
 
-/// Limits of a joint; `None` where there is none, or none is known.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct JointLimits {
-    /// Positions, rad or m.
-    pub position: Option<PositionRange>,
-    /// Largest speed, rad/s or m/s.
-    pub velocity: Option<f64>,
-    /// Largest torque or force, N·m or N.
-    pub effort: Option<f64>,
-}
-
-/// A closed range of joint positions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PositionRange {
-    /// Smallest position, rad or m.
-    pub lower: f64,
-    /// Largest position, rad or m.
-    pub upper: f64,
-}
-
-impl PositionRange {
-    /// Whether a position lies in the range; NaN does not.
-    #[must_use]
-    pub fn contains(&self, q: f64) -> bool {
-        q >= self.lower && q <= self.upper
-    }
+/// A joint that follows another, with its link. Its friction and its limits are part of its leader's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FollowerDescription {
+    /// Its name.
+    pub name: String,
+    /// Where it sits and how it follows.
+    pub follower: Follower,
+    /// The link behind it, in the frame of the joint after its motion.
+    pub link: LinkInertia,
 }
 
 impl RobotDescription {
@@ -86,12 +79,15 @@ impl RobotDescription {
             joints: joints.collect(),
             tool: before,
             tip: "tool".into(),
+            tip_alternatives: Vec::new(),
+            followers: Vec::new(),
+            gravity: GRAVITY,
             notes: Vec::new(),
             dh: Some(rows.to_vec()),
         }
     }
 
-    /// Number of joints that move.
+    /// Number of joints that move on their own.
     #[must_use]
     pub fn joint_count(&self) -> usize {
         self.joints.len()
@@ -101,7 +97,7 @@ impl RobotDescription {
     ///
     /// # Errors
     ///
-    /// The description has another number of joints, or a number in its DH table is not finite.
+    /// The description has another number of joints, a number in its DH table is not finite, or a follower has no leader.
     pub fn arm<const N: usize>(&self) -> Result<SerialArm<N>, RobotError> {
         let wrong = |found| RobotError::JointCount { found, expected: N };
         if let Some(rows) = &self.dh {
@@ -110,16 +106,17 @@ impl RobotDescription {
         }
         let joints: Vec<Joint> = self.joints.iter().map(|j| j.joint).collect();
         let joints = <[Joint; N]>::try_from(joints).map_err(|j| wrong(j.len()))?;
-        Ok(SerialArm::new(joints, self.tool))
+        SerialArm::new(joints, self.tool).with_followers(self.followers.iter().map(|f| f.follower).collect())
     }
 
     /// Whether any link has a mass: without one there are no torques to compute.
     #[must_use]
     pub fn has_masses(&self) -> bool {
-        self.joints.iter().any(|j| !j.link.is_massless())
+        let links = self.joints.iter().map(|j| &j.link).chain(self.followers.iter().map(|f| &f.link));
+        links.into_iter().any(|link| !link.is_massless())
     }
 
-    /// The arm's dynamics, rotor inertia and friction off.
+    /// The arm's dynamics under [`RobotDescription::gravity`], rotor inertia and friction off.
     ///
     /// # Errors
     ///
@@ -128,9 +125,23 @@ impl RobotDescription {
         let arm = self.arm::<N>()?;
         let links: [LinkInertia; N] = std::array::from_fn(|i| self.joints[i].link);
         let drives: [Drive; N] = std::array::from_fn(|i| self.joints[i].drive);
-        let with_drives = |d: Dynamics<N>| d.with_drives(drives);
-        let made: Result<Dynamics<N>, DynamicsError> = Dynamics::new(arm, links).and_then(with_drives);
-        Ok(made?)
+        let followers = self.followers.iter().map(|f| f.link).collect();
+        let complete = |d: Dynamics<N>| d.with_drives(drives)?.with_follower_links(followers);
+        let made: Result<Dynamics<N>, DynamicsError> = Dynamics::new(arm, links).and_then(complete);
+        Ok(made?.with_gravity(self.gravity))
+    }
+
+    /// The same robot under another gravitational acceleration, in the base frame, m/s²; with `None` it stays as it is.
+    ///
+    /// # Errors
+    ///
+    /// A number that is not finite.
+    pub fn with_gravity(self, gravity: Option<[f64; 3]>) -> Result<Self, RobotError> {
+        let Some(given) = gravity else { return Ok(self) };
+        match given.into_iter().find(|x| !x.is_finite()) {
+            Some(value) => Err(RobotError::Gravity { value }),
+            None => Ok(Self { gravity: given.into(), ..self }),
+        }
     }
 
     /// Largest speeds of the joints, if every joint has one, rad/s or m/s.
@@ -145,38 +156,38 @@ impl RobotDescription {
         self.joints.iter().map(|j| j.limits.effort).collect()
     }
 
+    /// Largest accelerations of the joints, if every joint has one, rad/s² or m/s².
+    #[must_use]
+    pub fn acceleration_limits(&self) -> Option<Vec<f64>> {
+        self.joints.iter().map(|j| j.limits.acceleration).collect()
+    }
+
+    /// Names of the joints without a limit of a kind, from base to tip.
+    #[must_use]
+    pub fn joints_without(&self, limit: LimitKind) -> Vec<&str> {
+        let lacks = |limits: &JointLimits| match limit {
+            LimitKind::Position => limits.position.is_none(),
+            other => limits.bound(other).is_none(),
+        };
+        self.joints.iter().filter(|j| lacks(&j.limits)).map(|j| j.name.as_str()).collect()
+    }
+
     /// Replaces the limits of a joint by name.
     ///
     /// # Errors
     ///
     /// There is no joint of that name, or the limits are inverted or not positive.
     pub fn override_limits(&mut self, joint: &str, limits: JointLimits) -> Result<(), RobotError> {
-        let unknown = || RobotError::UnknownJoint {
-            name: joint.to_owned(),
-            known: self.joints.iter().map(|j| j.name.clone()).collect(),
-        };
-        let index = self.joints.iter().position(|j| j.name == joint).ok_or_else(unknown)?;
+        let index = self.index_of(joint)?;
         limits.validate(joint)?;
         self.joints[index].limits = limits;
         Ok(())
     }
-}
-
-impl JointLimits {
-    /// Checks that the range is not inverted and that the others are positive.
-    ///
-    /// # Errors
-    ///
-    /// The first one that is wrong, with the joint's name.
-    pub fn validate(&self, joint: &str) -> Result<(), RobotError> {
-        if let Some(PositionRange { lower, upper }) = self.position.filter(|range| !(range.lower <= range.upper)) {
-            return Err(RobotError::InvertedLimits { joint: joint.to_owned(), lower, upper });
-        }
-        for (what, limit) in [("velocity", self.velocity), ("effort", self.effort)] {
-            if let Some(value) = limit.filter(|limit| !(*limit > 0.0)) {
-                return Err(RobotError::LimitNotPositive { joint: joint.to_owned(), what, value });
-            }
-        }
-        Ok(())
+    pub(crate) fn index_of(&self, joint: &str) -> Result<usize, RobotError> {
+        let unknown = || RobotError::UnknownJoint {
+            name: joint.to_owned(),
+            known: self.joints.iter().map(|j| j.name.clone()).collect(),
+        };
+        self.joints.iter().position(|j| j.name == joint).ok_or_else(unknown)
     }
 }

@@ -21,6 +21,12 @@ pub enum RobotError {
         /// The first condition that fails.
         reason: &'static str,
     },
+    /// Gravity that is not finite.
+    #[error("gravity has the coordinate {value}; it must be finite")]
+    Gravity {
+        /// The coordinate, m/s².
+        value: f64,
+    },
     /// A pose out of reach.
     #[error("pose out of reach: {reason}, short by {shortfall:.6} m")]
     OutOfReach {
@@ -108,7 +114,7 @@ pub enum RobotError {
     LimitNotPositive {
         /// The joint.
         joint: String,
-        /// `velocity` or `effort`.
+        /// `velocity`, `effort`, `acceleration` or `jerk`.
         what: &'static str,
         /// What was given.
         value: f64,
@@ -124,6 +130,7 @@ impl RobotError {
     pub fn remedy(&self) -> String {
         match self {
             Self::OutOfReach { .. } => "move the pose into the arm's reach".into(),
+            Self::Gravity { .. } => "give three finite numbers in m/s²".into(),
             Self::JointCount { .. } => "use an arm with as many joints as asked for".into(),
             Self::UnknownJoint { known, .. } => format!("the joints are {}", known.join(", ")),
             Self::LockedOutsideLimits { .. } => "lock the joint within its range".into(),

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 impl<const N: usize> SerialArm<N> {
     /// Geometric Jacobian at a configuration: `[v; ω] = J q̇`, base frame, reference point at the tool's origin.
     ///
-    /// Column of a revolute joint: `[z × (p - o); z]`; of a prismatic joint: `[z; 0]`.
+    /// Column of a revolute joint: `[z × (p - o); z]`; of a prismatic joint: `[z; 0]`. The column of a follower counts in that
+    /// of its leader, times its ratio.
     #[must_use]
     pub fn jacobian(&self, q: &JointVector<N>) -> Jacobian<N> {
         self.jacobian_at(&self.frames(q))
@@ -13,6 +14,9 @@ impl<const N: usize> SerialArm<N> {
     /// The Jacobian from frames already computed by [`SerialArm::frames`].
     #[must_use]
     pub fn jacobian_at(&self, frames: &LinkFrames<N>) -> Jacobian<N> {
+        if !self.followers.is_empty() {
+            return self.coupled_jacobian(&frames.q);
+        }
         let tip = frames.tool.translation.vector;
         // [G11] eq 4, [N] eq 1
         let mut jacobian = Jacobian::<N>::zeros();
@@ -52,6 +56,9 @@ impl<const N: usize> SerialArm<N> {
     /// As [`SerialArm::jacobian_rate`], from frames already computed by [`SerialArm::frames`].
     #[must_use]
     pub fn jacobian_rate_at(&self, frames: &LinkFrames<N>, qd: &JointVector<N>) -> Jacobian<N> {
+        if !self.followers.is_empty() {
+            return self.coupled_jacobian_rate(&frames.q, qd);
+        }
         let tip = frames.tool.translation.vector;
         let tip_velocity: Vector3<f64> = (self.jacobian_at(frames) * qd).fixed_rows::<3>(0).into_owned();
         let mut rate = Jacobian::<N>::zeros();

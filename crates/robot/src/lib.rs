@@ -1,4 +1,4 @@
-//! Serial arms: kinematics, Jacobians and their inverses, rigid-body dynamics, URDF, built-in models.
+//! Serial arms: kinematics, Jacobians and their inverses, rigid-body dynamics, URDF and SRDF, built-in models.
 //!
 //! Units are SI (m, rad, s). Frames: poses and Jacobians are expressed in the base frame, the Jacobian's reference point
 //! is the tool's origin, its first three rows are linear and its last three angular.
@@ -12,7 +12,9 @@
 //! ```
 
 mod arm;
+mod assembly;
 pub mod augmented;
+mod coupled;
 mod description;
 mod dh;
 mod dynamics;
@@ -21,18 +23,23 @@ pub mod euler;
 mod inverse;
 mod jacobi_svd;
 mod jacobian;
+mod joint_limits;
 mod lock;
 mod manipulability;
 pub mod models;
+mod note;
 mod numeric_ik;
 mod restarts;
 mod rotation;
 mod spherical_wrist;
+pub mod srdf;
 mod urdf;
 mod wrist_partitioned;
+mod xml;
 
 pub use arm::{Joint, JointKind, LinkFrames, SerialArm};
-pub use description::{JointDescription, JointLimits, PositionRange, RobotDescription};
+pub use coupled::Follower;
+pub use description::{FollowerDescription, JointDescription, RobotDescription};
 pub use dh::DhRow;
 pub use dynamics::{
     BodyFault, Drive, DriveEffects, DriveFault, Dynamics, DynamicsError, Friction, GRAVITY, LinkInertia, MassMatrix,
@@ -41,12 +48,14 @@ pub use error::RobotError;
 pub use euler::EulerAngles;
 pub use inverse::{InverseMethod, Task, adjugate, solve_rates};
 pub use jacobi_svd::JacobiSvd;
+pub use joint_limits::{JointLimits, PositionRange};
 pub use manipulability::manipulability;
+pub use note::{LimitKind, Note};
 pub use numeric_ik::{NumericIk, NumericIkSettings};
 pub use restarts::PositionRanges;
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
-pub use urdf::{ChainEnds, UrdfError};
+pub use urdf::{ChainEnds, ForeignFormat, UrdfError, UrdfFault, UrdfPlace};
 pub use wrist_partitioned::WristPartitionedIk;
 
 /// Position and orientation of a frame, stored as a rotation matrix and a vector.

@@ -51,16 +51,23 @@ impl<const N: usize> NumericIk<'_, N> {
             let step = PRIMES[i % PRIMES.len()].sqrt();
             let share = (trial as f64 * step).fract();
             let open = if self.slides(i) { REACH } else { PI };
-            let range = ranges[i].unwrap_or(PositionRange { lower: -open, upper: open });
-            let (lower, upper) = (range.lower.max(-TAU), range.upper.min(TAU));
+            let (lower, upper) = match ranges[i].map(|range| (range.lower, range.upper)) {
+                Some((lower, upper)) if lower.is_finite() && upper.is_finite() => (lower.max(-TAU), upper.min(TAU)),
+                Some((lower, _)) if lower.is_finite() => (lower, lower + 2.0 * open),
+                Some((_, upper)) if upper.is_finite() => (upper - 2.0 * open, upper),
+                _ => (-open, open),
+            };
             lower + share * (upper - lower)
         })
     }
 
-    /// The angle shifted by whole turns to lie in its range, nearest to its lower end from above; slides are left alone.
+    /// The angle shifted by whole turns to lie in its range, nearest to its lower end from above (to its upper end from
+    /// below where it is open downwards); slides are left alone.
     fn within_turns(&self, joint: usize, q: f64, range: &Option<PositionRange>) -> f64 {
         match range {
-            Some(range) if !self.slides(joint) && !range.contains(q) => q + TAU * ((range.lower - q) / TAU).ceil(),
+            Some(range) if self.slides(joint) || range.contains(q) => q,
+            Some(range) if range.lower.is_finite() => q + TAU * ((range.lower - q) / TAU).ceil(),
+            Some(range) if range.upper.is_finite() => q - TAU * ((q - range.upper) / TAU).ceil(),
             _ => q,
         }
     }
@@ -70,4 +77,4 @@ impl<const N: usize> NumericIk<'_, N> {
     }
 }
 
-const PRIMES: [f64; 7] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0];
+const PRIMES: [f64; 12] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0, 31.0, 37.0];

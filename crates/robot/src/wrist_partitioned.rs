@@ -36,6 +36,9 @@ impl WristPartitionedIk {
     /// [`RobotError::NotSphericalWrist`] with the first condition that fails.
     pub fn new<const N: usize>(arm: &SerialArm<N>) -> Result<Self, RobotError> {
         let fail = |reason| Err(RobotError::NotSphericalWrist { reason });
+        if !arm.followers().is_empty() {
+            return fail("a joint follows another");
+        }
         let frames = arm.frames(&JointVector::zeros());
         let (Ok(axes), Ok(points)) = (
             <[Vector3<f64>; 6]>::try_from(frames.axes.as_slice()),

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 use slideway_robot::models::Model;
 use slideway_robot::{
-    ChainEnds, JointKind, JointLimits, JointVector, PositionRange, RobotDescription, RobotError, UrdfError,
+    ChainEnds, JointKind, JointLimits, JointVector, PositionRange, RobotDescription, RobotError, UrdfError, UrdfFault,
 };
 
 const PLANAR: &str = include_str!("urdf/planar.urdf");
@@ -78,8 +78,13 @@ fn a_six_axis_urdf_ends_at_its_tool_frame_and_moves_like_its_dh_table() {
 fn a_seven_axis_urdf_with_a_gripper_ends_between_the_fingers_and_carries_them() {
     let robot = read(SEVEN);
     assert_eq!((robot.tip.as_str(), robot.joint_count()), ("hand_tcp", 7));
-    assert_eq!(robot.notes.len(), 2);
-    assert!(robot.notes[1].contains("mimics `finger1`") || robot.notes[0].contains("mimics `finger1`"));
+    assert_eq!(robot.notes.len(), 3);
+    let says: Vec<String> = robot.notes.iter().map(ToString::to_string).collect();
+    assert!(
+        says.iter().any(|note| note.contains("`finger2` (it mimics `finger1`) is not part of the arm")),
+        "{says:?}"
+    );
+    assert_eq!(robot.tip_alternatives, ["flange", "left_finger", "right_finger"]);
     // Link 7 weighs 0.9, the hand 0.7, two fingers 0.1 each.
     assert!((robot.joints[6].link.mass - 1.8).abs() < 1e-15 * 4.0);
     let flange = between(SEVEN, "", "flange").expect("a link").arm::<7>().expect("seven");
@@ -99,8 +104,11 @@ fn wrong_files_are_refused_with_the_element_and_a_remedy() {
     };
     let cases = [
         (planar("</robot>", ""), "not a URDF"),
-        (planar("<mass value=\"2\"/>", "<mass value=\"two\"/>"), "not a URDF"),
-        (planar("xyz=\"0 0 0.5\"", "xyz=\"0 0\""), "not a URDF"),
+        (
+            planar("<mass value=\"2\"/>", "<mass value=\"two\"/>"),
+            "link `upper`: `value=\"two\"` of its `<mass>` is not a number",
+        ),
+        (planar("xyz=\"0 0 0.5\"", "xyz=\"0 0\""), "joint `elbow`: `xyz=\"0 0\"` of its `<origin>` is not 3 numbers"),
         (planar("name=\"elbow\"", "name=\"shoulder\""), "two joints are called `shoulder`"),
         (
             planar("<link name=\"ground\"/>", "<link name=\"ground\"/><link name=\"tool\"/>"),
@@ -126,16 +134,19 @@ fn wrong_files_are_refused_with_the_element_and_a_remedy() {
         (planar("<link name=\"ground\"/>", "<link name=\"ground\"/><link name=\"lost\"/>"), "`ground`, `lost`"),
         (planar("type=\"continuous\"", "type=\"planar\""), "joint `elbow` is planar"),
         (
-            planar("<axis xyz=\"0 2 0\"/>", "<axis xyz=\"0 2 0\"/><mimic joint=\"shoulder\"/>"),
-            "mimics joint `shoulder`",
+            planar("<axis xyz=\"0 2 0\"/>", "<axis xyz=\"0 2 0\"/><mimic joint=\"elbow\"/>"),
+            "joint `elbow` mimics itself",
+        ),
+        (
+            planar("<axis xyz=\"0 2 0\"/>", "<axis xyz=\"0 2 0\"/><mimic joint=\"knee\"/>"),
+            "joint `elbow` mimics joint `knee`, which does not exist",
         ),
         (between(PLANAR, "tool", "upper"), "link `upper` is not reachable from `tool`"),
         (between(PLANAR, "", "hand"), "no link called `hand`"),
         (between(PLANAR, "fore", "tool"), "no joint between `fore` and `tool` moves"),
         (between("<robot name=\"r\"/>", "", ""), "no link"),
         (between(SEVEN, "hand", ""), "branches at link `hand`"),
-        (between(SEVEN, "", "right_finger"), "joint `finger2` between base and tip mimics"),
-        (between(&format!("<robot name=\"r\">{}", "<a>".repeat(100_000)), "", ""), "nested more than 64 deep"),
+        (between(&format!("<robot name=\"r\">{}", "<a>".repeat(100_000)), "", ""), "`<a>` is never closed"),
     ];
     for (result, says) in cases {
         let error = result.expect_err(says);
@@ -143,7 +154,7 @@ fn wrong_files_are_refused_with_the_element_and_a_remedy() {
         assert!(error.remedy().len() > 10, "{error}");
     }
     let missing = RobotDescription::read_urdf(std::path::Path::new("no/such.urdf"), &ChainEnds::default());
-    assert!(matches!(missing, Err(UrdfError::Read { .. })));
+    assert!(matches!(missing, Err(UrdfError { fault: UrdfFault::Read { .. }, place: None })));
 }
 
 #[test]

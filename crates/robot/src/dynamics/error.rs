@@ -20,6 +20,14 @@ pub enum DynamicsError {
         /// What is wrong.
         fault: DriveFault,
     },
+    /// Another number of links behind followers than followers.
+    #[error("{found} links given for {expected} followers")]
+    FollowerLinks {
+        /// Links given.
+        found: usize,
+        /// Followers of the arm.
+        expected: usize,
+    },
     /// Torques cannot tell accelerations: some motion moves no mass, or a number is not finite.
     #[error("the mass matrix is not positive definite: some joint motion moves no mass, or a number is not finite")]
     SingularMass,

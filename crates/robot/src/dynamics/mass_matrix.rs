@@ -15,6 +15,9 @@ impl<const N: usize> Dynamics<N> {
     /// alone moves at unit speed, projected on the axes before it. Reflected rotor inertia on the diagonal if it takes part.
     #[must_use]
     pub fn mass_matrix(&self, q: &JointVector<N>) -> MassMatrix<N> {
+        if !self.arm.followers().is_empty() {
+            return self.coupled_mass_matrix(q);
+        }
         let poses = self.arm.link_poses(q);
         // Unit twist of each joint, angular part and velocity of the point at the base's origin.
         let twists: [(Vector3<f64>, Vector3<f64>); N] = std::array::from_fn(|i| {

@@ -3,6 +3,7 @@
 //! Vectors are expressed in the base frame throughout. Sources: Luh, Walker and Paul 1980 (recursive Newton-Euler), Walker
 //! and Orin 1982 (composite rigid bodies), Featherstone, *Rigid Body Dynamics Algorithms*, 2008.
 
+mod coupled;
 mod drive;
 mod energy;
 mod error;
@@ -29,6 +30,8 @@ pub const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 pub struct Dynamics<const N: usize> {
     arm: SerialArm<N>,
     links: [LinkInertia; N],
+    /// Of the arm's followers; those that are missing are massless.
+    follower_links: Vec<LinkInertia>,
     drives: [Drive; N],
     effects: DriveEffects,
     gravity: Vector3<f64>,
@@ -47,7 +50,8 @@ impl<const N: usize> Dynamics<N> {
             link.validate().map_err(|fault| DynamicsError::Link { link: i, fault })?;
         }
         let drives = [Drive::default(); N];
-        Ok(Self { arm, links, drives, effects: DriveEffects::default(), gravity: GRAVITY })
+        let (follower_links, effects) = (Vec::new(), DriveEffects::default());
+        Ok(Self { arm, links, follower_links, drives, effects, gravity: GRAVITY })
     }
 
     /// As [`Dynamics::new`], with each link given in the frame of the DH convention, the one at the end of the link.
@@ -100,6 +104,12 @@ impl<const N: usize> Dynamics<N> {
     #[must_use]
     pub fn drives(&self) -> &[Drive; N] {
         &self.drives
+    }
+
+    /// Gravitational acceleration in the base frame, m/s².
+    #[must_use]
+    pub fn gravity(&self) -> &Vector3<f64> {
+        &self.gravity
     }
 
     /// The effects of the drives that take part.

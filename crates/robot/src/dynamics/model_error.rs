@@ -3,7 +3,8 @@ use crate::{Dynamics, DynamicsError, LinkInertia};
 impl<const N: usize> Dynamics<N> {
     /// A model of this arm whose link masses and moments of inertia are off: those of link `i` times `1 + shares[i]`.
     ///
-    /// For studies of controllers that know the arm only so well; lengths and centres of mass stay.
+    /// For studies of controllers that know the arm only so well; lengths and centres of mass stay, and so do the links behind
+    /// followers.
     ///
     /// # Errors
     ///

@@ -3,15 +3,15 @@ use nalgebra::Vector3;
 
 /// Motion of a link: angular velocity and acceleration, and linear acceleration of its frame's origin.
 #[derive(Clone, Copy)]
-struct LinkMotion {
-    omega: Vector3<f64>,
-    alpha: Vector3<f64>,
-    acceleration: Vector3<f64>,
+pub(super) struct LinkMotion {
+    pub(super) omega: Vector3<f64>,
+    pub(super) alpha: Vector3<f64>,
+    pub(super) acceleration: Vector3<f64>,
 }
 
 impl LinkMotion {
     /// Acceleration of a point fixed to the link at `offset` from the origin: `a + α × r + ω × (ω × r)`.
-    fn at(&self, offset: &Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn at(&self, offset: &Vector3<f64>) -> Vector3<f64> {
         self.acceleration + self.alpha.cross(offset) + self.omega.cross(&self.omega.cross(offset))
     }
 }
@@ -34,6 +34,9 @@ impl<const N: usize> Dynamics<N> {
         qdd: &JointVector<N>,
         gravity: &Vector3<f64>,
     ) -> JointVector<N> {
+        if !self.arm.followers().is_empty() {
+            return self.coupled_newton_euler(q, qd, qdd, gravity);
+        }
         let poses = self.arm.link_poses(q);
         let mut motion = LinkMotion { omega: Vector3::zeros(), alpha: Vector3::zeros(), acceleration: -gravity };
         let mut before = Vector3::zeros();
@@ -69,7 +72,7 @@ impl<const N: usize> Dynamics<N> {
 }
 
 /// The motion of the link behind a joint, from that of the link before it; `offset` leads from origin to origin.
-fn outward(
+pub(super) fn outward(
     before: &LinkMotion,
     offset: &Vector3<f64>,
     axis: &Vector3<f64>,

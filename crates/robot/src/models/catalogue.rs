@@ -143,7 +143,12 @@ fn universal(name: &str, a: [f64; 2], d: [f64; 4], speeds: [f64; 6], efforts: [f
     for (i, joint) in robot.joints.iter_mut().enumerate() {
         let reach = if i == 2 { PI } else { 2.0 * PI };
         let position = Some(PositionRange { lower: -reach, upper: reach });
-        joint.limits = JointLimits { position, velocity: Some(speeds[i].to_radians()), effort: Some(efforts[i]) };
+        joint.limits = JointLimits {
+            position,
+            velocity: Some(speeds[i].to_radians()),
+            effort: Some(efforts[i]),
+            ..JointLimits::default()
+        };
     }
     robot
 }
@@ -201,7 +206,8 @@ fn panda() -> RobotDescription {
         let (lower, upper) = ranges[i];
         let (velocity, effort) = if i < 4 { (2.175, 87.0) } else { (2.61, 12.0) };
         let position = Some(PositionRange { lower, upper });
-        joint.limits = JointLimits { position, velocity: Some(velocity), effort: Some(effort) };
+        joint.limits =
+            JointLimits { position, velocity: Some(velocity), effort: Some(effort), ..JointLimits::default() };
     }
     robot
 }
