@@ -1,8 +1,10 @@
 use crate::args::{Arguments, Command, Kind};
-use crate::diagnostic::CliError;
-use crate::loaded::{Loaded, unknown};
-use crate::output::{Outcome, print};
-use crate::{attack, claims, compare, merge, reproduce, robot, study, sweep, tune, verify};
+use crate::claims::attack;
+use crate::say::diagnostic::CliError;
+use crate::say::loaded::{Loaded, unknown};
+use crate::say::output::{Outcome, print};
+use crate::verify::merge;
+use crate::{claims, compare, reproduce, robot, study, sweep, tune, verify};
 use slideway_lab::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
 use slideway_study::Study;

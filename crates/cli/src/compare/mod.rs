@@ -1,0 +1,42 @@
+//! Every method on a scenario, beside the offline optimum.
+
+pub(crate) mod compared;
+mod conditioning;
+mod conditioning_views;
+mod effort_table;
+mod gallery;
+mod law_figures;
+pub(crate) mod one;
+mod speed;
+mod speed_page;
+mod speed_table;
+mod speed_text;
+
+use crate::args::CompareArguments;
+use crate::say::diagnostic::CliError;
+use crate::say::loaded::load;
+use crate::say::output::{Outcome, show};
+use compared::CompareOptions;
+use one::compare;
+use std::path::Path;
+
+pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
+    if let Some(value) = arguments.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
+        let remedy = "give a fraction of the optimum, for example 0.02";
+        return Err(CliError::Option { option: "tolerance", value, remedy });
+    }
+    if let Some(value) = arguments.inter_sample.filter(|t| !(*t > 0.0 && t.is_finite())) {
+        let remedy = "give a share of the limits, for example 1e-6";
+        return Err(CliError::Option { option: "inter-sample", value, remedy });
+    }
+    let options = CompareOptions { tolerance: arguments.tolerance, inter_sample: arguments.inter_sample };
+    let Some(name) = arguments.scenario.as_deref() else {
+        let out = arguments.out.clone().unwrap_or_else(|| "out".into());
+        return gallery::run(&options, &out, arguments.json);
+    };
+    let loaded = load(name)?;
+    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(loaded.name()));
+    let compared = compare(&loaded, name, &options, &out)?;
+    show(arguments.json, &compared.summary, &compared.table, &out)?;
+    Ok(if compared.holds { Outcome::Holds } else { Outcome::Fails })
+}

@@ -1,0 +1,58 @@
+use crate::words::short;
+use slideway_baselines::time_optimal::OptimumError;
+use slideway_lab::LabError;
+use thiserror::Error;
+
+/// Why a comparison came to nothing.
+#[derive(Debug, Error)]
+pub enum CompareError {
+    /// A problem or a method that cannot be run.
+    #[error(transparent)]
+    Lab(#[from] LabError),
+    /// No optimum to compare with.
+    #[error("no optimum: {error}")]
+    NoOptimum {
+        /// Why.
+        error: OptimumError,
+        /// For limits that no profile keeps: the share of half their ranges by which all like the one named would have to give
+        /// way; `None` if no such share is known.
+        widening: Option<f64>,
+    },
+    /// A number among the options that cannot be used.
+    #[error("{option} is {value}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would do.
+        remedy: &'static str,
+    },
+    /// The caller ended it.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl CompareError {
+    /// What to do about it.
+    #[must_use]
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::Lab(error) => error.remedy(),
+            Self::NoOptimum { error: OptimumError::NoMotion { .. }, .. } => {
+                "give a path along which the joints move".into()
+            }
+            Self::NoOptimum { error: OptimumError::Infeasible { .. }, widening } => {
+                let share = widening.map(|share| {
+                    let share = short(100.0 * share);
+                    format!("; if every such limit gave way by {share} % of half its range, there would be a profile")
+                });
+                "raise the limit named, or change the path or its speed at the ends there".to_owned()
+                    + share.as_deref().unwrap_or_default()
+            }
+            Self::NoOptimum { .. } => "a path that avoids singular configurations can be solved".into(),
+            Self::Option { remedy, .. } => (*remedy).into(),
+            Self::Cancelled => "let it run to its end".into(),
+        }
+    }
+}
