@@ -56,3 +56,21 @@ impl CompareError {
         }
     }
 }
+
+/// Refuses a tolerance that is no fraction of an optimum and an inter-sample share that is no share of a limit.
+///
+/// # Errors
+///
+/// A tolerance that is negative or no finite number; a share that is not positive or no finite number.
+pub fn check_shares(tolerance: Option<f64>, inter_sample: Option<f64>) -> Result<(), CompareError> {
+    let refused = |option, value, remedy| Err(CompareError::Option { option, value, remedy });
+    match (tolerance, inter_sample) {
+        (Some(value), _) if !(value >= 0.0 && value.is_finite()) => {
+            refused("tolerance", value, "give a fraction of the optimum, for example 0.02")
+        }
+        (_, Some(value)) if !(value > 0.0 && value.is_finite()) => {
+            refused("inter-sample", value, "give a share of the limits, for example 1e-6")
+        }
+        _ => Ok(()),
+    }
+}

@@ -33,7 +33,7 @@ mod words;
 pub use conditioning::convergence::Convergence;
 pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, ProjectionEntry};
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
-pub use error::CompareError;
+pub use error::{CompareError, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
 pub use speed::entries::{BetweenNodes, MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};

@@ -1,7 +1,7 @@
 use crate::args::AttackArguments;
-use crate::claims::{bar, chosen};
+use crate::claims::chosen;
 use crate::say::diagnostic::CliError;
-use crate::say::output::{Outcome, create, print};
+use crate::say::output::{Outcome, create, print, progress};
 use slideway_proofs::Claim;
 use slideway_proofs::engine::{Attack, Engine, Found};
 use slideway_proofs::kept::KeptCase;
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &AttackArguments) -> Result<Outcome, CliError> {
         claims.iter().flat_map(|claim| claim.engines.iter().map(|engine| (*claim, engine))).collect();
     let share = Duration::from_secs_f64(60.0 * arguments.minutes / engines.len().max(1) as f64);
     let attack = Attack { seed: arguments.seed, restart: RESTART, limit: share };
-    let bar = bar(engines.len() as u64);
+    let bar = progress(engines.len() as u64);
     let mut outcome = Outcome::Holds;
     for (claim, engine) in engines {
         let found = attack.run(engine, Subject::Shipped, |tried, margin| {

@@ -7,10 +7,9 @@ use crate::args::{ClaimsArguments, Level};
 use crate::claims::json::{json, proof_in_words};
 use crate::claims::report::write_report;
 use crate::say::diagnostic::{CliError, Named};
-use crate::say::output::{Outcome, print};
+use crate::say::output::{Outcome, print, progress};
 use crate::say::table::Table;
 use crate::say::words::nearest;
-use indicatif::{ProgressBar, ProgressStyle};
 use slideway_proofs::ledger::{
     Entry, NIGHTLY, ProofStatus, SEED, SMOKE, margin_in_words, markdown, prove, verdict_in_words,
 };
@@ -62,18 +61,9 @@ pub(crate) fn chosen(name: Option<&str>) -> Result<Vec<&'static Claim>, CliError
     Err(CliError::Unknown { what: Named::Claim, name: name.to_owned(), nearest })
 }
 
-/// A bar on the error stream, hidden where that is no terminal.
-pub(crate) fn bar(length: u64) -> ProgressBar {
-    let bar = ProgressBar::new(length);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    bar
-}
-
 /// Runs every property, with a step of the bar for each and its cases beside it.
 fn measured(claims: &[&'static Claim], cases: u64) -> Vec<Entry> {
-    let bar = bar(claims.iter().map(|claim| claim.engines.len() as u64).sum());
+    let bar = progress(claims.iter().map(|claim| claim.engines.len() as u64).sum());
     let mut entries = Vec::new();
     for claim in claims {
         let done = bar.position();

@@ -18,18 +18,13 @@ use crate::say::loaded::load;
 use crate::say::output::{Outcome, show};
 use compared::CompareOptions;
 use one::compare;
+use slideway_compare::check_shares;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
-    if let Some(value) = arguments.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
-        let remedy = "give a fraction of the optimum, for example 0.02";
-        return Err(CliError::Option { option: "tolerance", value, remedy });
-    }
-    if let Some(value) = arguments.inter_sample.filter(|t| !(*t > 0.0 && t.is_finite())) {
-        let remedy = "give a share of the limits, for example 1e-6";
-        return Err(CliError::Option { option: "inter-sample", value, remedy });
-    }
-    let options = CompareOptions { tolerance: arguments.tolerance, inter_sample: arguments.inter_sample };
+    let CompareArguments { tolerance, inter_sample, .. } = *arguments;
+    check_shares(tolerance, inter_sample)?;
+    let options = CompareOptions { tolerance, inter_sample };
     let Some(name) = arguments.scenario.as_deref() else {
         let out = arguments.out.clone().unwrap_or_else(|| "out".into());
         return gallery::run(&options, &out, arguments.json);

@@ -163,6 +163,15 @@ impl Named {
     }
 }
 
+impl From<CompareError> for CliError {
+    fn from(error: CompareError) -> Self {
+        match error {
+            CompareError::Option { option, value, remedy } => Self::Option { option, value, remedy },
+            error => Self::Compare { error, file: None },
+        }
+    }
+}
+
 /// Of verification and tuning, which have one scenario.
 impl From<OptimumError> for CliError {
     fn from(error: OptimumError) -> Self {

@@ -8,7 +8,7 @@ use crate::keep::parallel::{Work, jobs};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::sweep::SweepFailure;
 use crate::say::loaded::source;
-use crate::say::output::{Outcome, print};
+use crate::say::output::{Outcome, create, json_text, print};
 use journal::{Opened, write_csv};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
 use slideway_lab::sweep::{
@@ -86,16 +86,9 @@ fn finish(
 
 /// Writes rows and summary; returns the text of the summary.
 fn write(out: &Path, plan: &SweepPlan, rows: &[SweepRow], summary: &SweepSummary) -> Result<String, CliError> {
-    let failed = |path: &PathBuf| {
-        let path = path.clone();
-        move |source| CliError::Write { path, source }
-    };
-    let path = out.join("rows.csv");
-    let mut csv = Vec::new();
-    write_csv(plan, rows, &mut csv).and_then(|()| fs::write(&path, csv)).map_err(failed(&path))?;
-    let path = out.join("summary.json");
-    let text = serde_json::to_string_pretty(summary).map_err(|error| failed(&path)(error.into()))? + "\n";
-    fs::write(&path, &text).map_err(failed(&path))?;
+    create(out.join("rows.csv"), |file| write_csv(plan, rows, file))?;
+    let text = json_text(summary)?;
+    create(out.join("summary.json"), |file| file.write_all(text.as_bytes()))?;
     draw(out, plan, rows)?;
     Ok(text)
 }

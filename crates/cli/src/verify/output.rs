@@ -2,13 +2,12 @@
 
 use crate::keep::files;
 use crate::say::diagnostic::CliError;
-use crate::say::output::json_text;
+use crate::say::output::{create, json_text};
 use crate::verify::journal::{CampaignIdentity, SmallestCase};
 use crate::verify::results::{GuaranteeResult, Results, checks_of, file_of};
 use crate::verify::{junit, page};
 use slideway_figures::{Rendered, TrialPoint, TrialsPanel, TrialsStudy, draw_trials};
 use slideway_verify::{Check, Trial};
-use std::fs;
 use std::path::Path;
 
 /// A finished campaign, or a finished share of one.
@@ -35,8 +34,7 @@ impl Finished<'_> {
     pub(crate) fn write_all(&self, results: &Results, out: &Path) -> Result<(), CliError> {
         self.write_failing(out)?;
         write(out, "verify.json", json_text(results)?.as_bytes())?;
-        let junit = junit::render(results).map_err(|source| failed(out, "junit.xml", source))?;
-        write(out, "junit.xml", &junit)?;
+        create(out.join("junit.xml"), |file| file.write_all(&junit::render(results)?))?;
         let figures: Vec<Rendered> = self.draw(results, out)?.into_iter().collect();
         write(out, "report.html", page::render(results, &self.identity.text, &figures).as_bytes())
     }
@@ -68,9 +66,5 @@ fn bounds(result: &GuaranteeResult) -> Vec<f64> {
 }
 
 fn write(out: &Path, file: &str, bytes: &[u8]) -> Result<(), CliError> {
-    fs::write(out.join(file), bytes).map_err(|source| failed(out, file, source))
-}
-
-fn failed(out: &Path, file: &str, source: std::io::Error) -> CliError {
-    CliError::Write { path: out.join(file), source }
+    create(out.join(file), |out| out.write_all(bytes))
 }

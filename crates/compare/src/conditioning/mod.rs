@@ -3,7 +3,7 @@
 pub(crate) mod convergence;
 pub(crate) mod summary;
 
-use crate::error::CompareError;
+use crate::error::{CompareError, check_shares};
 use crate::progress::{Stage, Steps, Watch};
 use convergence::{Convergence, convergence};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
@@ -43,10 +43,7 @@ pub fn compare_conditioning(
     options: &ConditioningOptions,
     watch: &mut Watch<'_>,
 ) -> Result<ConditioningComparison, CompareError> {
-    if let Some(value) = options.tolerance.filter(|t| !(*t >= 0.0 && t.is_finite())) {
-        let remedy = "give a fraction of the projection's mean deviation, for example 0.02";
-        return Err(CompareError::Option { option: "tolerance", value, remedy });
-    }
+    check_shares(options.tolerance, None)?;
     let mut steps = Steps::new(watch, PathMethod::ALL.len() + 1);
     let mut traces = Vec::new();
     let mut projected = None;

@@ -8,7 +8,7 @@ pub(crate) mod summary;
 pub(crate) mod verdict;
 pub(crate) mod windows;
 
-use crate::error::CompareError;
+use crate::error::{CompareError, check_shares};
 use crate::progress::{Stage, Steps, Watch};
 use entries::{MethodEntry, OptimumEntry, Solved};
 use judged::Judged;
@@ -52,20 +52,6 @@ impl SpeedOptions {
             grid_points: 1000,
         }
     }
-
-    fn check(&self) -> Result<(), CompareError> {
-        if !(self.tolerance >= 0.0 && self.tolerance.is_finite()) {
-            let remedy = "give a fraction of the optimum, for example 0.02";
-            return Err(CompareError::Option { option: "tolerance", value: self.tolerance, remedy });
-        }
-        match self.inter_sample {
-            Some(value) if !(value > 0.0 && value.is_finite()) => {
-                let remedy = "give a share of the limits, for example 1e-6";
-                Err(CompareError::Option { option: "inter-sample", value, remedy })
-            }
-            _ => Ok(()),
-        }
-    }
 }
 
 /// A finished comparison of speed laws.
@@ -96,7 +82,7 @@ pub fn compare_speed(
     options: &SpeedOptions,
     watch: &mut Watch<'_>,
 ) -> Result<SpeedComparison, CompareError> {
-    options.check()?;
+    check_shares(Some(options.tolerance), options.inter_sample)?;
     let judged = judged::method(experiment, options.judged);
     let methods = experiment.methods();
     let mut steps = Steps::new(watch, methods.len() + 2);
