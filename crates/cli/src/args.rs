@@ -1,5 +1,5 @@
-use crate::verify_journal::MAX_TRIALS;
-use crate::verify_shard::Shard;
+use crate::verify::shard::MAX_TRIALS;
+use crate::verify::shard::Shard;
 use clap::{Parser, Subcommand};
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::PathBuf;

@@ -1,10 +1,13 @@
 use crate::args::{Arguments, Command, Kind};
-use crate::diagnostic::CliError;
-use crate::loaded::{Loaded, unknown};
-use crate::output::{Outcome, print};
-use crate::{attack, claims, compare, merge, reproduce, robot, study, sweep, tune, verify};
+use crate::claims::attack;
+use crate::say::diagnostic::CliError;
+use crate::say::loaded::unknown;
+use crate::say::output::{Outcome, print};
+use crate::verify::merge;
+use crate::{claims, compare, reproduce, robot, study, sweep, tune, verify};
+use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
-use slideway_scenario::{BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
+use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_study::Study;
 use std::io::Write as _;
 use std::path::Path;
@@ -29,7 +32,7 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
 
 fn list() -> Outcome {
     let scenario = |b: &slideway_scenario::BuiltIn| {
-        (b.name, Loaded::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default())
+        (b.name, AnyScenario::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default())
     };
     let robot = |model: Model| (model.name(), model.summary().to_owned());
     let scenarios: Vec<(&str, String)> = BUILT_IN.iter().map(scenario).collect();

@@ -1,8 +1,9 @@
 //! The page of all published values, with the figures inline.
 
-use super::{Reproduction, Row};
-use crate::diagnostic::CliError;
-use crate::report::{escape, inline_svg, page_head};
+use crate::reproduce::rows::Reproduction;
+use crate::say::diagnostic::CliError;
+use crate::say::page::{inline_svg, page_head};
+use crate::say::words::escape;
 use std::path::Path;
 
 /// Scenarios whose comparison is run, and which of its figures stand on the page.
@@ -18,7 +19,6 @@ pub(super) const SHOWN: [(&str, &[&str]); 5] = [
 ];
 
 pub(super) fn render(reproduction: &Reproduction, out: &Path) -> Result<String, CliError> {
-    let rows: String = reproduction.rows.iter().map(row).collect();
     let mut figures = String::new();
     for (scenario, names) in SHOWN {
         figures += &format!("<h2><a href=\"{scenario}/report.html\">{scenario}</a></h2>\n");
@@ -29,24 +29,12 @@ pub(super) fn render(reproduction: &Reproduction, out: &Path) -> Result<String, 
         }
     }
     Ok(format!(
-        "{}<h1>What the papers print, and what comes out here</h1>\n<p class=\"verdict {}\">{}</p>\n<div class=\"wide\"><table class=\"facts\">\n\
-         <thead><tr><th>source</th><th>case</th><th>quantity</th><th>paper</th><th>ours</th><th>difference</th><th>agrees</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n\
+        "{}<h1>What the papers print, and what comes out here</h1>\n<p class=\"verdict {}\">{}</p>\n{}\
          <p class=\"note\">Agreement is to one unit of the last printed digit unless the remark says otherwise.</p>\n\
          {figures}</main>\n</body>\n</html>\n",
         page_head("Reproduction"),
         if reproduction.lost == 0 { "holds" } else { "fails" },
         escape(&reproduction.sentence()),
+        reproduction.table().last_as_words().html(),
     ))
-}
-
-/// A row, and under it the remark, if there is one.
-fn row(row: &Row) -> String {
-    let [cells @ .., remark] = row.cells().map(|cell| escape(&cell));
-    let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
-    let words = if remark.is_empty() {
-        remark
-    } else {
-        format!("<tr class=\"words\"><td></td><td colspan=\"6\">{remark}</td></tr>\n")
-    };
-    format!("<tr>{cells}</tr>\n{words}")
 }

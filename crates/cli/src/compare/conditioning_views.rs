@@ -1,0 +1,113 @@
+//! A comparison of path conditioners, for a terminal and as a page.
+
+use crate::say::page::Page;
+use crate::say::table::{Column, Table};
+use crate::say::words::{escape, short};
+use slideway_compare::ConditioningSummary;
+use slideway_figures::Rendered;
+use slideway_lab::conditioning::PathMethodSummary;
+
+const COLUMNS: [Column<PathMethodSummary>; 11] = [
+    ("method", |m| m.method.name().to_owned()),
+    ("mean deviation\n[mm]", |m| millimetres(Some(m.mean_deviation_m))),
+    ("largest\n[mm]", |m| millimetres(Some(m.max_deviation_m))),
+    ("from projection\nmean [mm]", |m| millimetres(m.mean_distance_to_projection_m)),
+    ("from QP path\nmean | max [mm]", |m| pair(m.mean_distance_to_qp_m, m.max_distance_to_qp_m)),
+    ("largest σ\n[mm]", |m| list(&m.max_sigma_m, 1e3)),
+    ("largest φ\n[mm]", |m| m.max_phi_m.iter().map(|p| millimetres(*p)).collect::<Vec<_>>().join(" | ")),
+    ("acting\n[s]", |m| list(&m.active_s, 1.0)),
+    ("back after\n[s]", |m| seconds(m.return_s)),
+    ("trapped for\n[s]", |m| seconds(m.escape_s)),
+    ("chattering of φ: measured\n≤ bound (eq 22) [mm]", |m| {
+        m.chattering.map_or("-".into(), |c| {
+            format!("{} ≤ {} ({})", short(1e3 * c.measured), short(1e3 * c.bound), short(1e3 * c.paper_estimate))
+        })
+    }),
+];
+
+fn millimetres(value: Option<f64>) -> String {
+    value.map_or("-".into(), |v| short(1e3 * v))
+}
+
+fn seconds(value: Option<f64>) -> String {
+    value.map_or("-".into(), |v| format!("{v:.3}"))
+}
+
+fn pair(a: Option<f64>, b: Option<f64>) -> String {
+    a.zip(b).map_or("-".into(), |(a, b)| format!("{} | {}", short(1e3 * a), short(1e3 * b)))
+}
+
+fn list(values: &[f64], scale: f64) -> String {
+    values.iter().map(|v| short(scale * v)).collect::<Vec<_>>().join(" | ")
+}
+
+const NOTE: &str = "Columns with several numbers have one per constraint. Projection: the nearest allowed point to each point of \
+                    the reference, the least deviation possible at one instant. Deviations and distances are means over the \
+                    whole run.";
+
+/// The comparison as a table with what it means, for a terminal.
+pub(crate) fn table(summary: &ConditioningSummary) -> String {
+    let table = Table::of(&COLUMNS, &summary.methods).terminal();
+    format!(
+        "{} - {}\nconstraints: {}\n{table}\n\n{}\n{NOTE}\n{}\n{}\n",
+        summary.scenario,
+        summary.description,
+        summary.constraints.join(" | "),
+        audit(summary),
+        disturbed(summary),
+        summary.verdict.sentence
+    )
+}
+
+/// A line about what disturbed the conditioner's runs, if anything did.
+fn disturbed(summary: &ConditioningSummary) -> String {
+    let words =
+        |d| format!("note: the runs of the conditioner's forms are disturbed: {d}; the other methods' are not\n");
+    summary.disturbances.map(words).unwrap_or_default()
+}
+
+/// How the projection was found, and the audit of the sliding mode.
+fn audit(summary: &ConditioningSummary) -> String {
+    let projection = summary.projection.as_ref().map_or_else(
+        || "projection: none, the allowed set is empty somewhere along the reference".into(),
+        |p| format!("projection: {}, gap at most {:.1e} m", p.kind, p.worst_gap_m),
+    );
+    let entry = summary.methods.iter().find(|m| m.method == summary.verdict.method);
+    let audit = entry.map_or_else(String::new, |m| {
+        let acting: Vec<String> = summary
+            .constraints
+            .iter()
+            .zip(&m.audit.acting_share)
+            .map(|(name, share)| format!("{name} in {:.2} %", 100.0 * share))
+            .collect();
+        format!(
+            "audit of the sliding mode, {} samples: {}, reserve in {:.2} %, held in {:.2} %, stopped by a trap in {:.2} %",
+            m.audit.samples,
+            acting.join(", "),
+            100.0 * m.audit.reserve_share,
+            100.0 * m.audit.held_share,
+            100.0 * m.audit.trapped_share
+        )
+    });
+    format!("{projection}\n{audit}")
+}
+
+/// The report of a comparison of path conditioning.
+pub(crate) fn render(summary: &ConditioningSummary, text: &str, figures: &[Rendered]) -> String {
+    let body = format!(
+        "<h2>Methods beside the projection</h2>\n<p>Constraints: {}</p>\n{}<p class=\"note\">{NOTE}</p>\n<p class=\"note\">{}</p>\n",
+        escape(&summary.constraints.join(" | ")),
+        Table::of(&COLUMNS, &summary.methods).html(),
+        escape(&audit(summary)).replace('\n', "<br>"),
+    );
+    let page = Page {
+        title: &summary.scenario,
+        description: &summary.description,
+        holds: summary.verdict.holds,
+        verdict: &summary.verdict.sentence,
+        body,
+        figures,
+        scenario: Some(text),
+    };
+    page.render()
+}

@@ -1,0 +1,94 @@
+//! A comparison of speed laws, shown and written.
+
+use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
+use crate::compare::{law_figures, speed_page, speed_text};
+use crate::say::diagnostic::CliError;
+use crate::say::loaded::{compare_error, scenario_error};
+use crate::say::output::{Watched, as_json, create, write_summary};
+use slideway_baselines::time_optimal::TimeOptimum;
+use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
+use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
+use slideway_lab::Experiment;
+use slideway_scenario::Scenario;
+use std::path::Path;
+
+/// Runs every speed law on a scenario and writes the results.
+pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out: &Path) -> Result<Compared, CliError> {
+    let pointed = |error| scenario_error(error, name, Some(scenario.text().to_owned()));
+    let experiment = Experiment::new(scenario).map_err(pointed)?;
+    let options = SpeedOptions {
+        name: scenario.name().to_owned(),
+        description: scenario.description().to_owned(),
+        judged: Some(experiment.judged_method(scenario).map_err(pointed)?),
+        tolerance: options.tolerance.unwrap_or_else(|| scenario.tolerance()),
+        inter_sample: options.inter_sample,
+        grid_points: scenario.grid_points(),
+    };
+    let watched = Watched::new();
+    let compared = compare_speed(&experiment, &options, &mut |progress| watched.show(progress));
+    let comparison = compared.map_err(|error| compare_error(error, name, scenario.text()))?;
+    watched.writing();
+    write(out, scenario, &experiment, &comparison)?;
+    watched.end();
+    let summary = &comparison.summary;
+    Ok(Compared {
+        holds: summary.verdict.holds,
+        sentence: summary.verdict.sentence.clone(),
+        key: KeyFigures {
+            optimum_s: Some(summary.optimum.duration_s),
+            gap: Some(summary.optimum.gap),
+            ratio: summary.verdict.ratio,
+        },
+        summary: as_json(summary)?,
+        table: speed_text::render(summary),
+    })
+}
+
+fn write(
+    out: &Path,
+    scenario: &Scenario,
+    experiment: &Experiment,
+    comparison: &SpeedComparison,
+) -> Result<(), CliError> {
+    let SpeedComparison { summary, traces, path, .. } = comparison;
+    let figures_dir = write_summary(out, summary)?;
+    for trace in traces {
+        create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
+    }
+    let curve = curve(&comparison.optimum);
+    let title = scenario.name();
+    let study = SpeedStudy {
+        title,
+        traces,
+        tool_path: &experiment.tool_path(400),
+        tool_traces: &traces.iter().map(|t| experiment.tool_trace(t)).collect::<Vec<_>>(),
+        speed_lower: &path.speed_lower,
+        speed_upper: &path.speed_upper,
+        optimum: Some(&curve),
+        filter_step: experiment.control().filter_step(),
+        bound: summary.limit_ratio_bound,
+    };
+    let mut figures = draw_speed_study(&study, &figures_dir)?;
+    let arrived = summary.look_ahead.iter().filter_map(|w| Some(LookAheadPoint { share: w.share, ratio: w.ratio? }));
+    let points: Vec<_> = arrived.collect();
+    if points.len() >= 2 {
+        figures.push(draw_look_ahead(&LookAheadStudy { title, points: &points }, &figures_dir)?);
+    }
+    figures.extend(law_figures::draw(title, comparison, &figures_dir)?);
+    let page = speed_page::render(summary, scenario.text(), &figures);
+    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
+}
+
+/// The optimum's profile as the figures want it: path rate over path parameter and over time.
+fn curve(optimum: &TimeOptimum) -> Optimum {
+    let mut curve = Optimum::default();
+    let mut begin = 0.0;
+    for piece in &optimum.pieces {
+        let times = piece.times();
+        curve.time.extend(times.iter().map(|t| begin + t));
+        curve.lambda.extend(&piece.lambda);
+        curve.path_rate.extend(piece.path_rate());
+        begin += times.last().copied().unwrap_or(0.0);
+    }
+    curve
+}

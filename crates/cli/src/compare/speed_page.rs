@@ -1,0 +1,94 @@
+//! The page of a comparison of speed laws.
+
+use crate::compare::{effort_table, speed_table, speed_text};
+use crate::say::page::Page;
+use crate::say::table::{Column, Table};
+use crate::say::words::{escape, short};
+use slideway_compare::{MethodEntry, OptimumEntry, SpeedSummary, WindowEntry};
+use slideway_figures::Rendered;
+
+/// The report of a comparison of speed laws.
+pub(crate) fn render(summary: &SpeedSummary, text: &str, figures: &[Rendered]) -> String {
+    let page = Page {
+        title: &summary.scenario,
+        description: &summary.description,
+        holds: summary.verdict.holds,
+        verdict: &summary.verdict.sentence,
+        body: methods(&summary.methods)
+            + &effort_table::render_html(summary)
+            + &optimum(summary)
+            + &windows(&summary.look_ahead),
+        figures,
+        scenario: Some(text),
+    };
+    page.render()
+}
+
+fn methods(entries: &[MethodEntry]) -> String {
+    format!(
+        "<h2>Speed laws beside the optimum</h2>\n{}\
+         <p class=\"note\">T runs from the start of motion to the <em>robot's</em> arrival (reference at its end, tool within \
+         0.1 mm and 1 mrad of it), resolved to one sample. Peak errors and ‖F q̇d‖, the use of a speed limit, count while the reference \
+         moves. Chattering is the largest change of a desired joint speed over one sample, as a share of its limit; beside it stand its \
+         bound and the paper's estimate.</p>\n",
+        speed_table::methods(entries).html()
+    )
+}
+
+/// The largest use that each method made of the limits besides constant joint-speed limits; nothing where there are none.
+fn limit_use(summary: &SpeedSummary) -> String {
+    let item = |(method, uses): (&str, String)| format!("<dt>{method}</dt><dd>{}</dd>", escape(&uses));
+    let items: String = speed_text::limit_uses(summary).map(item).collect();
+    if items.is_empty() {
+        items
+    } else {
+        format!("<h2>Largest use of the other limits</h2>\n<p>As shares: 1 is the limit.</p>\n<dl>{items}</dl>\n")
+    }
+}
+
+const WINDOWS: [Column<WindowEntry>; 4] = [
+    ("window, share of the path", |w| format!("{} %", 100.0 * w.share)),
+    ("T / T*", |w| w.ratio.map_or("never arrives".into(), |r| format!("{r:.4}"))),
+    ("peak error [mm]", |w| short(1e3 * w.peak_path_error_m)),
+    ("samples off the path", |w| w.samples_off_path.to_string()),
+];
+
+/// The look-ahead with windows of several lengths; nothing without acceleration limits.
+fn windows(entries: &[WindowEntry]) -> String {
+    if entries.is_empty() {
+        return String::new();
+    }
+    format!("<h2>What looking ahead buys</h2>\n{}", Table::of(&WINDOWS, entries).html())
+}
+
+fn optimum(summary: &SpeedSummary) -> String {
+    let block = |name: &str, o: &OptimumEntry| {
+        format!(
+            "<h2>{name}</h2>\n<dl><dt>certified bounds</dt><dd>[{:.7}, {:.7}] s, relative gap {:.1e}: {}</dd>\
+             <dt>grid</dt><dd>{} points; on a grid twice as fine {:.6} s; closed form for speed limits alone {:.6} s</dd>\
+             <dt>between grid points</dt><dd>largest violation: {}</dd>\
+             <dt>greedy profile</dt><dd>{} by reachability on the same rows: feasible, not the optimum</dd>\
+             <dt>solver</dt><dd>says {}, {} iterations, {:.0} ms; the certificate decides, not the status</dd></dl>\n",
+            o.lower_s,
+            o.upper_s,
+            o.gap,
+            if o.certified { "certified" } else { "not certified" },
+            o.grid_points,
+            o.refined_s,
+            o.closed_form_speed_s,
+            escape(&o.between_in_words()),
+            o.greedy_in_words(),
+            escape(&o.status),
+            o.iterations,
+            1e3 * o.solve_s,
+        )
+    };
+    let main = block("The optimum", &summary.optimum);
+    let speed_only = summary
+        .optimum_speed_only
+        .as_ref()
+        .map_or_else(String::new, |o| block("The optimum under speed limits alone", o));
+    let notes: String = summary.notes().iter().map(|note| format!("<li>{}</li>", escape(note))).collect();
+    let notes = if notes.is_empty() { notes } else { format!("<h2>The joint path</h2>\n<ul>{notes}</ul>\n") };
+    limit_use(summary) + &main + &speed_only + &notes
+}

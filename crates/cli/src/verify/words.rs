@@ -1,0 +1,102 @@
+//! Hypotheses, bounds and failures in words, the same on the terminal, in JUnit and on the page.
+
+use crate::say::words::short;
+use crate::verify::results::GuaranteeResult;
+use slideway_verify::{Guarantee, Hypothesis, Relation};
+
+/// The value of a hypothesis and what it needs.
+pub(crate) fn needed(hypothesis: &Hypothesis) -> String {
+    format!("{}; {} is needed", with_unit(hypothesis.value, &hypothesis.unit), least(hypothesis))
+}
+
+/// The need of a hypothesis.
+pub(crate) fn least(hypothesis: &Hypothesis) -> String {
+    let relation = match hypothesis.relation {
+        Relation::AtLeast => "at least",
+        Relation::AtMost => "at most",
+    };
+    format!("{relation} {}", with_unit(hypothesis.needed, &hypothesis.unit))
+}
+
+/// A share in per cent.
+pub(crate) fn percent(share: f64) -> String {
+    format!("{} %", short(100.0 * share))
+}
+
+pub(crate) fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() || unit == "1" { short(value) } else { format!("{} {unit}", short(value)) }
+}
+
+/// The bound of a guarantee that has none for all trials.
+const EACH: &str = "each run's own";
+
+/// The bound of a guarantee.
+pub(crate) fn bound(result: &GuaranteeResult) -> String {
+    result.stated.as_ref().map_or_else(|| EACH.to_owned(), stated_bound)
+}
+
+/// The bound of a guarantee that is stated before the trials.
+pub(crate) fn stated_bound(guarantee: &Guarantee) -> String {
+    let number = |value: f64| with_unit(value, &guarantee.unit);
+    match (guarantee.lower, guarantee.upper) {
+        (Some(lower), Some(upper)) => format!("{} to {}", short(lower), number(upper)),
+        (Some(lower), None) => format!("at least {}", number(lower)),
+        (None, Some(upper)) => format!("at most {}", number(upper)),
+        (None, None) => EACH.to_owned(),
+    }
+}
+
+/// What a guarantee's value is in the scenario as it is.
+pub(crate) fn as_it_is(guarantee: Option<&Guarantee>) -> String {
+    guarantee.and_then(|g| g.measured.map(|value| with_unit(value, &g.unit))).unwrap_or_else(|| "-".to_owned())
+}
+
+/// The trial with the smallest margin.
+pub(crate) fn nearest(result: &GuaranteeResult) -> String {
+    result.nearest.as_ref().map_or_else(|| "-".to_owned(), |n| format!("{} (trial {})", percent(n.margin), n.trial))
+}
+
+/// A guarantee that was kept, in one line.
+pub(crate) fn kept(result: &GuaranteeResult) -> String {
+    format!(
+        "bound: {}; in the scenario as it is: {}; trials checked: {}; smallest margin: {}",
+        bound(result),
+        as_it_is(result.stated.as_ref()),
+        result.trials_checked,
+        nearest(result)
+    )
+}
+
+/// A guarantee that was not kept: where, by how much, and which file shows it again.
+pub(crate) fn failing(result: &GuaranteeResult, seed: u64) -> Vec<String> {
+    let mut lines = Vec::new();
+    let text = result.stated.as_ref().map_or(String::new(), |g| format!(" ({})", g.text));
+    if result.kept_without_disturbances == Some(false) {
+        lines.push(format!(
+            "{}{text} is violated in the scenario as it is: {}, bound: {}",
+            result.name,
+            as_it_is(result.stated.as_ref()),
+            bound(result)
+        ));
+    }
+    if let Some(f) = &result.failing {
+        let number = |value: f64| with_unit(value, &result.unit);
+        lines.push(format!(
+            "{}{text} is violated in {} of {} trials checked, first in trial {} of seed {seed}: {}, bound {}, margin {}",
+            result.name,
+            result.violations,
+            result.trials_checked,
+            f.first.trial,
+            number(f.first.measured),
+            number(f.first.bound),
+            percent(f.first.margin)
+        ));
+        lines.push(format!(
+            "smallest case: disturbances of size {} (the trial's: {}), in {}",
+            short(f.smallest.size),
+            short(f.first.size),
+            f.file
+        ));
+    }
+    lines
+}

@@ -1,0 +1,207 @@
+use serde::Serialize;
+use slideway_baselines::time_optimal::{
+    OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
+};
+use slideway_lab::{Effort, Experiment, LimitUse, MethodSummary, Trace};
+use slideway_path::{ProblemError, LimitKind, PositionExcess, SampledPath};
+
+/// A method's summary and what it means beside the optimum.
+#[derive(Clone, Debug, Serialize)]
+pub struct MethodEntry {
+    /// Its numbers without the optimum.
+    #[serde(flatten)]
+    pub summary: MethodSummary,
+    /// From the start of motion to the robot's arrival.
+    pub travel_s: Option<f64>,
+    /// `travel_s` over the optimum's duration.
+    pub ratio: Option<f64>,
+    /// `travel_s` over the optimum's upper and lower bound: the ratio lies between them.
+    pub ratio_range: Option<[f64; 2]>,
+    /// From the start of motion to the reference's end, over the optimum's duration. Below 1 the robot trails.
+    pub reference_ratio: Option<f64>,
+    /// The largest share of a joint-speed limit that a command used, catching up at the path's end included.
+    pub command_use: f64,
+    /// The largest use of each kind of limit that the scenario gives, besides constant joint-speed limits.
+    pub limit_use: Vec<LimitUse>,
+    /// Mean speed over the optimum's, `1 / ratio`.
+    pub relative_speed: Option<f64>,
+    /// Cost for the drives once under way.
+    pub effort: Option<Effort>,
+    /// Knowledge that the method has in advance.
+    pub knows: &'static str,
+}
+
+/// A certified optimum, without its profile.
+#[derive(Clone, Debug, Serialize)]
+pub struct OptimumEntry {
+    /// Duration of the profile, s.
+    pub duration_s: f64,
+    /// Certified lower bound of the optimal time, s.
+    pub lower_s: f64,
+    /// Certified upper bound, s.
+    pub upper_s: f64,
+    /// `(upper - lower) / lower`.
+    pub gap: f64,
+    /// True if the gap is small enough for the answer to count.
+    pub certified: bool,
+    /// Grid points.
+    pub grid_points: usize,
+    /// The solver's own word; it decides nothing.
+    pub status: String,
+    /// Iterations of the solver.
+    pub iterations: u32,
+    /// Time that solving took, s.
+    pub solve_s: f64,
+    /// Largest violation of each kind of limit between grid points, as a share of the limit.
+    pub between_nodes: BetweenNodes,
+    /// Tolerance to which refinement drove the violations between grid points; null without refinement.
+    pub inter_sample_tolerance: Option<f64>,
+    /// Samples between grid points whose limits refinement added.
+    pub refining_samples: usize,
+    /// The greedy profile by reachability on the same rows: feasible, not the optimum, hundreds of times faster; null where it was
+    /// not found.
+    pub reachable_s: Option<f64>,
+    /// Closed form under speed limits alone: the integral of the slowest joint's need, on a finer grid.
+    pub closed_form_speed_s: f64,
+    /// The optimum on a grid twice as fine.
+    pub refined_s: f64,
+}
+
+/// Largest violations between grid points, as shares of the limits.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct BetweenNodes {
+    /// Joint speed.
+    pub joint_speed: f64,
+    /// Joint acceleration.
+    pub joint_acceleration: f64,
+    /// Joint torque.
+    pub joint_torque: f64,
+    /// Tool speed.
+    pub tool_speed: f64,
+    /// Tool acceleration.
+    pub tool_acceleration: f64,
+}
+
+impl From<Violation> for BetweenNodes {
+    fn from(violation: Violation) -> Self {
+        Self {
+            joint_speed: violation.speed,
+            joint_acceleration: violation.acceleration,
+            joint_torque: violation.torque,
+            tool_speed: violation.tool_speed,
+            tool_acceleration: violation.tool_acceleration,
+        }
+    }
+}
+
+impl OptimumEntry {
+    /// The time of the greedy profile in words.
+    #[must_use]
+    pub fn greedy_in_words(&self) -> String {
+        self.reachable_s.map_or_else(|| "not found".into(), |time| format!("{time:.6} s"))
+    }
+
+    /// The violations between grid points in words.
+    #[must_use]
+    pub fn between_in_words(&self) -> String {
+        let between = &self.between_nodes;
+        let kinds = [
+            (LimitKind::JointSpeed, between.joint_speed),
+            (LimitKind::JointAcceleration, between.joint_acceleration),
+            (LimitKind::JointTorque, between.joint_torque),
+            (LimitKind::ToolSpeed, between.tool_speed),
+            (LimitKind::ToolAcceleration, between.tool_acceleration),
+        ];
+        let words: Vec<String> =
+            kinds.iter().filter(|(_, v)| *v != 0.0).map(|(kind, v)| format!("{kind} {v:.1e}")).collect();
+        let found = if words.is_empty() { "none".into() } else { words.join(", ") + " of the limit" };
+        match self.inter_sample_tolerance {
+            Some(tolerance) => {
+                format!("{found} (refined to {tolerance:.0e} with {} samples more)", self.refining_samples)
+            }
+            None => found,
+        }
+    }
+}
+
+/// An optimum, how it was found, and what it is checked by.
+#[derive(Clone, Debug)]
+pub(crate) struct Solved {
+    pub(crate) optimum: TimeOptimum,
+    inter_sample_tolerance: Option<f64>,
+    refining_samples: usize,
+    /// Time of the greedy profile, s. It is an extra: the optimum has its own certificate and stands without it.
+    reachable_s: Option<f64>,
+    /// The optimum on a grid twice as fine, s.
+    refined_s: f64,
+}
+
+impl Solved {
+    /// Solves on a path, and on one twice as fine; with a tolerance, limits are kept between grid points as well.
+    pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
+        let (optimum, refining_samples, reachable_s) = match tolerance {
+            None => (time_optimum(path)?, 0, reachable_profile(path).ok().map(|profile| profile.duration_s)),
+            Some(tolerance) => {
+                let Refined { result, added, .. } = refine_optimum(path, tolerance)?;
+                (result, added, refine_profile(path, tolerance).ok().map(|refined| refined.result.duration_s))
+            }
+        };
+        let refined_s = time_optimum(finer)?.duration_s;
+        Ok(Self { optimum, inter_sample_tolerance: tolerance, refining_samples, reachable_s, refined_s })
+    }
+}
+
+impl MethodEntry {
+    pub(crate) fn new(experiment: &Experiment, trace: &Trace, optimum: &OptimumEntry) -> Result<Self, ProblemError> {
+        let summary = MethodSummary::new(trace);
+        let travel_s = summary.travel_s();
+        let reference = summary.duration_s.zip(summary.motion_start_s).map(|(end, start)| end - start);
+        Ok(Self {
+            travel_s,
+            ratio: travel_s.map(|t| t / optimum.duration_s),
+            ratio_range: travel_s.map(|t| [t / optimum.upper_s, t / optimum.lower_s]),
+            reference_ratio: reference.map(|t| t / optimum.duration_s),
+            command_use: experiment.command_use(trace)?,
+            limit_use: experiment.limit_use(trace),
+            relative_speed: travel_s.map(|t| optimum.duration_s / t),
+            effort: experiment.course(trace).effort(),
+            knows: summary.method.knows(),
+            summary,
+        })
+    }
+}
+
+impl OptimumEntry {
+    pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
+        let optimum = &solved.optimum;
+        let mut status: Vec<&str> = optimum.status.iter().map(String::as_str).collect();
+        status.sort_unstable();
+        status.dedup();
+        Self {
+            duration_s: optimum.duration_s,
+            lower_s: optimum.lower_s,
+            upper_s: optimum.upper_s,
+            gap: optimum.gap(),
+            certified: optimum.is_certified(),
+            grid_points: optimum.grid_points,
+            status: status.join(", "),
+            iterations: optimum.iterations,
+            solve_s: optimum.solve_s,
+            between_nodes: optimum.between.into(),
+            inter_sample_tolerance: solved.inter_sample_tolerance,
+            refining_samples: solved.refining_samples,
+            reachable_s: solved.reachable_s,
+            closed_form_speed_s,
+            refined_s: solved.refined_s,
+        }
+    }
+}
+
+/// A joint that leaves its range, in words.
+pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
+    let PositionExcess { joint, lambda, position, lower, upper, .. } = excess;
+    format!(
+        "joint {} is at {position:.4} at path parameter {lambda:.4}, outside its range [{lower:.4}, {upper:.4}]",
+        joint + 1
+    )
+}

@@ -1,0 +1,172 @@
+//! Speed laws beside the certified time optimum.
+
+pub(crate) mod entries;
+mod judged;
+pub(crate) mod laws;
+mod obstacle;
+pub(crate) mod summary;
+pub(crate) mod verdict;
+pub(crate) mod windows;
+
+use crate::error::{CompareError, check_shares};
+use crate::progress::{Stage, Steps, Watch};
+use entries::{MethodEntry, OptimumEntry, Solved};
+use judged::Judged;
+use laws::{LawCourse, LawModelError, ModelErrorEntry};
+use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
+use slideway_lab::{Experiment, Method, Trace};
+use slideway_path::SampledPath;
+use summary::SpeedSummary;
+use verdict::SpeedVerdict;
+use windows::windows;
+
+/// Samples between grid points at which violations are looked for.
+const BETWEEN: usize = 7;
+
+/// Options of a comparison of speed laws.
+#[derive(Clone, Debug)]
+pub struct SpeedOptions {
+    /// Name of the problem, for the summary.
+    pub name: String,
+    /// A line about it, for the summary.
+    pub description: String,
+    /// Method that the verdict is about; `None` for the experiment's own choice.
+    pub judged: Option<Method>,
+    /// Largest difference of the judged method's time from the optimum's, as a share of the optimum's.
+    pub tolerance: f64,
+    /// Share of each limit to which the optimum keeps the limits between grid points too; `None` for at grid points alone.
+    pub inter_sample: Option<f64>,
+    /// Grid points of the optimum, at least 1 interval.
+    pub grid_points: usize,
+}
+
+impl SpeedOptions {
+    /// The defaults of a scenario: a tolerance of 2 %, 1000 grid points, limits kept at grid points.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            description: String::new(),
+            judged: None,
+            tolerance: 0.02,
+            inter_sample: None,
+            grid_points: 1000,
+        }
+    }
+}
+
+/// A finished comparison of speed laws.
+#[derive(Clone, Debug)]
+pub struct SpeedComparison {
+    /// Its numbers, with the verdict.
+    pub summary: SpeedSummary,
+    /// One run per method, in the order of the experiment's methods.
+    pub traces: Vec<Trace>,
+    /// The optimum's profile, with its certificate.
+    pub optimum: TimeOptimum,
+    /// The joint path on the optimum's grid.
+    pub path: SampledPath,
+    /// Courses of the joints under the laws of `[N]`, the optimum's first; empty unless the experiment runs natural motion.
+    pub courses: Vec<LawCourse>,
+    /// Runs of those courses with wrong masses; empty where the masses are unknown.
+    pub model_errors: Vec<LawModelError>,
+}
+
+/// Runs every speed law of an experiment and puts it beside the certified time optimum. The same experiment and options give the
+/// same comparison, but for the time that solving took.
+///
+/// # Errors
+///
+/// An option that cannot be used, a method or parameters that cannot be run, no optimum, or an end by the caller.
+pub fn compare_speed(
+    experiment: &Experiment,
+    options: &SpeedOptions,
+    watch: &mut Watch<'_>,
+) -> Result<SpeedComparison, CompareError> {
+    check_shares(Some(options.tolerance), options.inter_sample)?;
+    let judged = judged::method(experiment, options.judged);
+    let methods = experiment.methods();
+    let mut steps = Steps::new(watch, methods.len() + 2);
+    let mut traces = Vec::new();
+    for method in methods {
+        steps.at(Stage::SpeedLaw(method))?;
+        traces.push(experiment.run(method)?);
+    }
+    steps.at(Stage::Optimum)?;
+    let path = experiment.sample(options.grid_points, BETWEEN)?;
+    let finer = experiment.sample(2 * options.grid_points, 0)?;
+    let solved = Solved::new(&path, &finer, options.inter_sample).map_err(|error| no_optimum(error, &path))?;
+    let study = Study { experiment, options, path: &path, finer: &finer, judged };
+    let mut summary = study.summarise(&traces, &solved)?;
+    steps.at(Stage::Variations)?;
+    summary.look_ahead = windows(experiment, &summary.optimum, &mut steps)?;
+    let course = laws::optimum_course(experiment, &solved.optimum)?;
+    summary.optimum_effort = course.effort();
+    summary.scaled_limits = laws::sweep_limits(experiment, &path, &mut steps)?;
+    let courses = laws::courses(experiment, &traces, &course);
+    let model_errors = laws::model_errors(experiment, &courses)?;
+    summary.model_error = model_errors.iter().map(ModelErrorEntry::from).collect();
+    Ok(SpeedComparison { summary, traces, optimum: solved.optimum, path, courses, model_errors })
+}
+
+/// Adds by how much limits that no profile keeps would have to give way.
+fn no_optimum(error: OptimumError, path: &SampledPath) -> CompareError {
+    let widening = matches!(error, OptimumError::Infeasible { .. }).then(|| needed_widening(path)).flatten();
+    CompareError::NoOptimum { error, widening }
+}
+
+/// An experiment with its path on a grid and on one twice as fine.
+struct Study<'a> {
+    experiment: &'a Experiment,
+    options: &'a SpeedOptions,
+    path: &'a SampledPath,
+    finer: &'a SampledPath,
+    judged: Method,
+}
+
+impl Study<'_> {
+    fn summarise(&self, traces: &[Trace], solved: &Solved) -> Result<SpeedSummary, CompareError> {
+        let Self { experiment, options, path, .. } = self;
+        let optimum = OptimumEntry::new(solved, path.speed_limited_time());
+        let speed_only = self.under_speed_limits_alone()?;
+        let entry = |trace| MethodEntry::new(experiment, trace, &optimum);
+        let methods = traces.iter().map(entry).collect::<Result<Vec<_>, _>>()?;
+        let judge = |(entry, trace)| Judged {
+            entry,
+            trace,
+            optimum: &optimum,
+            speed_only: speed_only.as_ref(),
+            disturbances: experiment.disturbances(),
+            tolerance: options.tolerance,
+        };
+        let of_judged = methods.iter().zip(traces).find(|(_, trace)| trace.method == self.judged).map(judge);
+        let verdict = SpeedVerdict::new(self.judged, options.tolerance, of_judged.as_ref());
+        let position_excesses = experiment.position_excesses();
+        Ok(SpeedSummary {
+            scenario: options.name.clone(),
+            description: options.description.clone(),
+            verdict: verdict.under_position_limits(&position_excesses),
+            methods,
+            optimum,
+            optimum_speed_only: speed_only,
+            optimum_effort: None,
+            scaled_limits: Vec::new(),
+            model_error: Vec::new(),
+            limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
+            spare_joints: experiment.spare_joints(),
+            position_excesses,
+            disturbances: Some(experiment.disturbances().clone()).filter(|d| !d.are_none()),
+            look_ahead: Vec::new(),
+        })
+    }
+
+    /// The optimum under the speed limits alone, where the path limits more.
+    fn under_speed_limits_alone(&self) -> Result<Option<OptimumEntry>, CompareError> {
+        if !self.path.pieces.iter().any(|piece| self.path.limits_acceleration(piece)) {
+            return Ok(None);
+        }
+        let (path, finer) = (self.path.under_speed_limits_alone(), self.finer.under_speed_limits_alone());
+        let solved = Solved::new(&path, &finer, None).map_err(|error| no_optimum(error, &path))?;
+        Ok(Some(OptimumEntry::new(&solved, self.path.speed_limited_time())))
+    }
+}

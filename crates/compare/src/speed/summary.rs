@@ -1,0 +1,57 @@
+use crate::speed::entries::{MethodEntry, OptimumEntry, excess_in_words};
+use crate::speed::laws::{ModelErrorEntry, ScaledLimits};
+use crate::speed::verdict::SpeedVerdict;
+use crate::speed::windows::WindowEntry;
+use serde::Serialize;
+use slideway_lab::{Disturbances, Effort};
+use slideway_path::PositionExcess;
+
+/// A comparison of speed laws in numbers and words. Times in s, lengths in m, angles in rad.
+#[derive(Clone, Debug, Serialize)]
+pub struct SpeedSummary {
+    /// Name of the scenario.
+    pub scenario: String,
+    /// Its description.
+    pub description: String,
+    /// One entry per method.
+    pub methods: Vec<MethodEntry>,
+    /// The optimum under all limits the scenario gives.
+    pub optimum: OptimumEntry,
+    /// The optimum under the speed limits alone, where the scenario limits accelerations too.
+    pub optimum_speed_only: Option<OptimumEntry>,
+    /// What the optimum costs the drives.
+    pub optimum_effort: Option<Effort>,
+    /// Mean speeds under other joint-speed limits; empty unless the scenario has a `[natural]` table.
+    pub scaled_limits: Vec<ScaledLimits>,
+    /// What a controller with wrong masses does to each law; empty unless the scenario has a `[natural]` table and the robot masses.
+    pub model_error: Vec<ModelErrorEntry>,
+    /// Proven bound on the largest use of a speed limit on the path without tracking error; null where its hypotheses fail.
+    pub limit_ratio_bound: Option<f64>,
+    /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).
+    pub spare_joints: usize,
+    /// Joints that leave their position ranges along the path.
+    pub position_excesses: Vec<PositionExcess>,
+    /// What disturbed the methods' runs; null where nothing did. The optimum is that of the undisturbed problem.
+    pub disturbances: Option<Disturbances>,
+    /// The look-ahead with windows of several lengths; empty without acceleration limits.
+    pub look_ahead: Vec<WindowEntry>,
+    /// The verdict.
+    pub verdict: SpeedVerdict,
+}
+
+impl SpeedSummary {
+    /// Remarks on the joint path and the runs, in words.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let spare = (self.spare_joints > 0).then(|| {
+            format!(
+                "{} more than the path prescribes: of all joint motions the smallest is taken (pseudo-inverse), by every method and \
+                 by the joint path of the optimum",
+                if self.spare_joints == 1 { "one joint".into() } else { format!("{} joints", self.spare_joints) }
+            )
+        });
+        let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
+        let disturbed = self.disturbances.as_ref().map(|d| format!("the runs are disturbed: {d}; the optimum is not"));
+        spare.into_iter().chain(self.position_excesses.iter().map(outside)).chain(disturbed).collect()
+    }
+}
