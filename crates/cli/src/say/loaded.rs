@@ -81,7 +81,7 @@ pub(crate) fn scenario_error(error: slideway_lab::LabError, file: &str, text: Op
 pub(crate) fn compare_error(error: CompareError, file: &str, text: &str) -> CliError {
     match error {
         CompareError::Lab(error) => scenario_error(error, file, Some(text.to_owned())),
-        error => CliError::Compare { error, file: Some(file.to_owned()) },
+        error => CliError::Compare { error: Box::new(error), file: Some(file.to_owned()) },
     }
 }
 
