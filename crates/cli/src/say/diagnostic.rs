@@ -57,7 +57,7 @@ pub(crate) enum CliError {
     Write { path: PathBuf, source: std::io::Error },
     /// No comparison, or no optimum; with the scenario's name or file where one of several is meant.
     #[error("{}{error}", file.as_ref().map_or(String::new(), |file| format!("{file}: ")))]
-    Compare { error: CompareError, file: Option<String> },
+    Compare { error: Box<CompareError>, file: Option<String> },
     /// No figures.
     #[error("no figures: {0}")]
     Figures(#[from] FigureError),
@@ -168,7 +168,7 @@ impl From<CompareError> for CliError {
     fn from(error: CompareError) -> Self {
         match error {
             CompareError::Option { option, value, remedy } => Self::Option { option, value, remedy },
-            error => Self::Compare { error, file: None },
+            error => Self::Compare { error: Box::new(error), file: None },
         }
     }
 }
@@ -176,7 +176,7 @@ impl From<CompareError> for CliError {
 /// Of verification and tuning, which have one scenario.
 impl From<OptimumError> for CliError {
     fn from(error: OptimumError) -> Self {
-        Self::Compare { error: CompareError::NoOptimum { error, widening: None }, file: None }
+        CompareError::NoOptimum { error, widening: None }.into()
     }
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn scenario_error(error: impl Into<ScenarioError>, file: &str, text: 
 pub(crate) fn compare_error(error: CompareError, file: &str, text: &str) -> CliError {
     match error {
         CompareError::Lab(error) => scenario_error(error, file, Some(text.to_owned())),
-        error => CliError::Compare { error, file: Some(file.to_owned()) },
+        error => CliError::Compare { error: Box::new(error), file: Some(file.to_owned()) },
     }
 }
 
