@@ -3,7 +3,7 @@
 use slideway_lab::conditioning::{ConditionedTrace, PathMethod, run_conditioner};
 use slideway_lab::{Experiment, Method, Trace, in_parallel};
 use slideway_scenario::ConditioningScenario;
-use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn};
+use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::Hasher as _;
 use std::io::Write as _;
