@@ -3,7 +3,7 @@
 use slideway_lab::conditioning::{ConditionedTrace, PathMethod, run_conditioner};
 use slideway_lab::{Experiment, Method, Trace, in_parallel};
 use slideway_scenario::ConditioningScenario;
-use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn};
+use slideway_scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::Hasher as _;
 use std::io::Write as _;
@@ -192,7 +192,7 @@ fn every_trace_has_the_bits_of_its_golden_hash_on_any_number_of_threads() {
 #[test]
 fn a_bit_anywhere_in_a_trace_changes_its_hash() {
     let scenario = Scenario::built_in("planar-line").expect("built in").expect("parses");
-    let trace = scenario.experiment().and_then(|e| e.run(Method::SlidingMode)).expect("runs");
+    let trace = scenario.experiment().expect("valid").run(Method::SlidingMode).expect("runs");
     let mut seen = BTreeSet::from([of_speed_law(&trace)]);
     let changes: [fn(&mut Trace); 6] = [
         |t| t.finish_s = None,
