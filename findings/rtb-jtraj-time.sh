@@ -3,10 +3,10 @@
 #
 # One would expect: the columns of `jtraj(q0, q1, t)` belong together: `sd` is the derivative of `s` with respect to the `t` it
 #   returns, and the first sample is q0.
-# What happens, twice. With a step count, jtraj(q0, q1, 101), the returned t runs from 0 to 101 while the velocities are
-#   those of a 1 s move: the peak of 1.875 is 101 times the slope of s over t. With times that do not begin at 0, such as
-#   5 to 15 s, they are read as the later two thirds of a 15 s move from time 0: the first sample is not q0 but already 21 %
-#   of the way, with a velocity.
+# What happens, twice. With a step count, jtraj(q0, q1, 101), the velocities are those of a 1 s move, as the documentation has it,
+#   while the t of the same result runs from 0 to 101: the peak of 1.875 is 101 times the slope of s over t. With times that do
+#   not begin at 0, such as 5 to 15 s, the samples are the later two thirds of a 15 s move from time 0: the first is not q0
+#   but already 21 % of the way, with a velocity. (The documentation speaks of the scale of velocities there.)
 # Why it matters: both go wrong without a message: a feed-forward 101 times too large, and a step at the start of every
 #   segment but the first when segments are joined on one clock. Pass times that begin at 0, and shift afterwards.
 set -euo pipefail
