@@ -34,6 +34,7 @@ impl PotentialField {
         for (p, f) in position.iter_mut().zip(correction.iter()) {
             *p += f;
         }
+        // [G12] eq 33: attraction; the sum of both forces is [G12] eq 31.
         let mut force = correction.map(|f| -self.attraction * f);
         for sample in constraints(&Motion { position, ..*reference }) {
             let steepness = sample.gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
@@ -42,12 +43,14 @@ impl PotentialField {
                 return None;
             }
             if distance < self.influence {
+                // [G12] eq 34
                 let strength = self.repulsion * (1.0 / distance - 1.0 / self.influence) / (distance * distance);
                 for (f, g) in force.iter_mut().zip(&sample.gradient) {
                     *f -= strength * g / steepness;
                 }
             }
         }
+        // [G12] eq 32, over one sample.
         for (c, f) in correction.iter_mut().zip(&force) {
             *c += self.period * f;
         }

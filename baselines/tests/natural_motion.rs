@@ -31,7 +31,7 @@ fn cycle<const N: usize>(name: &str, limit: f64, survey: &Survey<N>) -> Result<C
     let experiment = scenario(name)?.experiment()?;
     let optimum = time_optimum(&experiment.sample(1000, 3)?).expect("solved");
     assert!(optimum.is_certified(), "{}", optimum.gap());
-    let run = |method| Ok(MethodSummary::new(&experiment.run(method)?));
+    let run = |method| -> Result<MethodSummary, ScenarioError> { Ok(MethodSummary::new(&experiment.run(method)?)) };
     Ok(Cycle {
         optimum: optimum.duration_s,
         sliding: [run(Method::SlidingMode)?, run(Method::SlidingModeImplicit)?],

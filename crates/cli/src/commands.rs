@@ -5,7 +5,6 @@ use crate::say::loaded::unknown;
 use crate::say::output::{Outcome, print};
 use crate::verify::merge;
 use crate::{claims, compare, reproduce, robot, study, sweep, tune, verify};
-use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_robot::models::Model;
 use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
 use slideway_study::Study;

@@ -2,13 +2,12 @@
 //! `cargo run --release -p slideway-compare --example whole_comparison`.
 
 use slideway_compare::{Progress, SpeedOptions, compare_speed};
-use slideway_lab::Experiment;
 use slideway_scenario::Scenario;
 use std::ops::ControlFlow;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scenario = Scenario::built_in("puma-helix").ok_or("not built in")??;
-    let experiment = Experiment::new(&scenario)?;
+    let experiment = scenario.experiment()?;
     let options = SpeedOptions { grid_points: scenario.grid_points(), ..SpeedOptions::named(scenario.name()) };
 
     // Called before each run; `ControlFlow::Break(())` would end the comparison there.

@@ -7,7 +7,6 @@
 //!
 //! ```
 //! use slideway_compare::{SpeedOptions, compare_speed, unwatched};
-//! use slideway_lab::Experiment;
 //! use slideway_scenario::Scenario;
 //!
 //! let scenario = Scenario::parse(
@@ -17,7 +16,7 @@
 //!      path.joints.line = { from = [0], to = [1] }
 //!      robot.dh = [{ a = 0.5, alpha = 0, d = 0 }]",
 //! )?;
-//! let experiment = Experiment::new(&scenario)?;
+//! let experiment = scenario.experiment()?;
 //! let options = SpeedOptions { grid_points: 100, ..SpeedOptions::named("one joint") };
 //! let comparison = compare_speed(&experiment, &options, &mut unwatched)?;
 //! assert!(comparison.summary.optimum.certified);

@@ -4,8 +4,8 @@ use slideway_compare::{
     CompareError, ConditioningOptions, Progress, SpeedOptions, Stage, compare_conditioning, compare_speed, unwatched,
 };
 use slideway_lab::conditioning::{ConditioningProblem, PathMethod};
-use slideway_scenario::ConditioningScenario;
 use slideway_lab::{Experiment, Method};
+use slideway_scenario::ConditioningScenario;
 use slideway_scenario::Scenario;
 use std::ops::ControlFlow;
 
@@ -18,7 +18,7 @@ const JOINT: &str = "
 ";
 
 fn joint() -> Experiment {
-    Experiment::new(&Scenario::parse("joint", JOINT).expect("a scenario")).expect("an experiment")
+    Scenario::parse("joint", JOINT).expect("a scenario").experiment().expect("an experiment")
 }
 
 fn options() -> SpeedOptions {

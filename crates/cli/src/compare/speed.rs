@@ -15,11 +15,11 @@ use std::path::Path;
 /// Runs every speed law on a scenario and writes the results.
 pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out: &Path) -> Result<Compared, CliError> {
     let pointed = |error| scenario_error(error, name, Some(scenario.text().to_owned()));
-    let experiment = Experiment::new(scenario).map_err(pointed)?;
+    let experiment = scenario.experiment().map_err(pointed)?;
     let options = SpeedOptions {
         name: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
-        judged: Some(experiment.judged_method(scenario).map_err(pointed)?),
+        judged: scenario.judged_method(),
         tolerance: options.tolerance.unwrap_or_else(|| scenario.tolerance()),
         inter_sample: options.inter_sample,
         grid_points: scenario.grid_points(),

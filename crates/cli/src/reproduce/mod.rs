@@ -14,8 +14,8 @@ use crate::say::diagnostic::CliError;
 use crate::say::loaded::load;
 use crate::say::output::{Outcome, create, print, print_json, progress};
 use rows::Reproduction;
-use slideway_lab::natural::{table_1, table_2};
 use slideway_lab::Published;
+use slideway_lab::natural::{table_1, table_2};
 use slideway_scenario::ScenarioError;
 use std::path::Path;
 

@@ -3,7 +3,6 @@ use crate::progress::{Stage, Steps};
 use serde::Serialize;
 use slideway_baselines::rivals::qp_filter_trace;
 use slideway_lab::conditioning::{ConditioningProblem, PathMethod, distances, run_conditioner};
-use slideway_path::ProblemError;
 
 /// Distance of the sliding mode from the QP path at one sampling period.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -7,7 +7,9 @@ use crate::error::{CompareError, check_shares};
 use crate::progress::{Stage, Steps, Watch};
 use convergence::{Convergence, convergence};
 use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
-use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner};
+use slideway_lab::conditioning::{
+    ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner,
+};
 use summary::{ConditioningSummary, ConditioningVerdict, ProjectionEntry};
 
 /// Options of a comparison of path conditioners.

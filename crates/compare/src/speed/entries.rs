@@ -3,7 +3,7 @@ use slideway_baselines::time_optimal::{
     OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
 };
 use slideway_lab::{Effort, Experiment, LimitUse, MethodSummary, Trace};
-use slideway_path::{ProblemError, LimitKind, PositionExcess, SampledPath};
+use slideway_path::{LimitKind, PositionExcess, ProblemError, SampledPath};
 
 /// A method's summary and what it means beside the optimum.
 #[derive(Clone, Debug, Serialize)]

@@ -1,5 +1,5 @@
 use crate::speed::entries::{MethodEntry, OptimumEntry};
-use slideway_lab::{Disturbances, Experiment, Method, Trace};
+use slideway_lab::{Disturbances, Method, Trace};
 
 /// What a verdict is made from: a method's run beside the optimum.
 #[derive(Clone, Copy)]
@@ -23,11 +23,4 @@ pub(crate) fn subject(method: Method) -> String {
         Method::SlidingModeImplicit => "implicit sliding mode".into(),
         other => format!("method `{other}`"),
     }
-}
-
-/// The method that the verdict is about: the caller's choice, else the look-ahead where it can be run, which keeps acceleration
-/// limits as the optimum does, else the published sliding mode.
-pub(crate) fn method(experiment: &Experiment, chosen: Option<Method>) -> Method {
-    let look_ahead = experiment.methods().contains(&Method::AccelerationLookAhead);
-    chosen.unwrap_or(if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingMode })
 }

@@ -84,7 +84,7 @@ pub fn compare_speed(
     watch: &mut Watch<'_>,
 ) -> Result<SpeedComparison, CompareError> {
     check_shares(Some(options.tolerance), options.inter_sample)?;
-    let judged = judged::method(experiment, options.judged);
+    let judged = experiment.judged_method(options.judged)?;
     let methods = experiment.methods();
     let mut steps = Steps::new(watch, methods.len() + 2);
     let mut traces = Vec::new();
@@ -152,7 +152,7 @@ impl Study<'_> {
             optimum_effort: None,
             scaled_limits: Vec::new(),
             model_error: Vec::new(),
-            limit_ratio_bound: path.limit_ratio_bound(&experiment.control()),
+            limit_ratio_bound: experiment.control().limit_ratio_bound(path),
             spare_joints: experiment.spare_joints(),
             position_excesses,
             disturbances: Some(experiment.disturbances().clone()).filter(|d| !d.are_none()),

@@ -79,6 +79,7 @@ impl Reference {
     /// The motion at time `t` when the reference's own clock shows `clock` and runs at `pace` of its rate.
     #[must_use]
     pub fn at(&self, t: f64, clock: f64, pace: f64) -> Motion<3> {
+        // [G12] eq 1
         let [position, derivative, _] = self.curve.at(self.lambda(clock));
         Motion { time: t, position: position.into(), velocity: (derivative * (self.rate * pace)).into() }
     }

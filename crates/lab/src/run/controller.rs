@@ -121,6 +121,7 @@ impl ToolState<'_> {
 
     /// The twist of the reference per unit of path rate; Euler rates are mapped at the tool's own triple.
     fn feedforward(&self, reference: &PathPoint) -> Twist {
+        // [G11] eq 2
         let Some(triple) = &reference.euler else { return reference.twist };
         let linear: Vector3<f64> = reference.twist.fixed_rows::<3>(0).into();
         twist(&join(&linear, &triple.rates), &self.euler)

@@ -52,6 +52,7 @@ impl CartesianPath {
     /// The point at a path parameter, which is not clamped to the path's range.
     #[must_use]
     pub fn at(&self, lambda: f64) -> PathPoint {
+        // [G11] eq 1
         let [position, velocity, acceleration] = self.position.at(lambda);
         let orientation = self.orientation.at(lambda);
         PathPoint {

@@ -66,6 +66,7 @@ impl OrientationCurve {
     }
 
     pub(crate) fn at(&self, lambda: f64) -> OrientationPoint {
+        // [G11] eq 26
         match self {
             Self::Constant(euler) => from_euler([*euler, Vector3::zeros(), Vector3::zeros()]),
             Self::PiecewiseLinear(knots) => {
