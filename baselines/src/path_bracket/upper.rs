@@ -13,8 +13,9 @@ pub(crate) fn of_cell(b: &[f64], k: usize) -> [f64; 3] {
     [b[2 * k], b[2 * k + 1], b[2 * k + 2]]
 }
 
-/// Times that scaling is repeated: rounding leaves an excess of some units in the last place, which the second time removes.
-const TRIES: usize = 6;
+/// Times that scaling is repeated. The first scaling reaches the limits up to rounding, which in short cells is far above an epsilon (a difference of
+/// neighbours' `b` over their distance); the next ones go twice as far below as is still missing, and further each time.
+const TRIES: usize = 8;
 
 /// Scales a profile (node, middle, node, ...) down until no limit is exceeded in any cell, as [`excess`] proves. Every row is homogeneous in `b`.
 /// `None` if the profile is no profile: not positive, not finite, or never within the limits.
@@ -28,7 +29,8 @@ pub(crate) fn within_limits<'c>(cells: impl Iterator<Item = &'c Cell> + Clone, l
             return None;
         }
         // The first time up to the limits as well as down to them.
-        let factor = (1.0 / worst) * (1.0 - 4.0 * f64::EPSILON * f64::from(1 << attempt));
+        let further = if attempt == 0 { 0.0 } else { (worst - 1.0).abs() * f64::from(1 << attempt) };
+        let factor = (1.0 / worst) * (1.0 - 4.0 * f64::EPSILON - further);
         b.iter_mut().for_each(|b| *b *= factor);
     }
     None
