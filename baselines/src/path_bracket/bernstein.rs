@@ -54,7 +54,7 @@ pub(crate) fn binomial(n: usize, k: usize) -> f64 {
 }
 
 /// A polynomial of degree at most [`MAX_DEGREE`] on `[0, 1]`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Polynomial {
     degree: usize,
     coefficients: [f64; COEFFICIENTS],

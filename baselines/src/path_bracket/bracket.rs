@@ -6,6 +6,7 @@ use super::path::JointPathProblem;
 use super::profile::Profile;
 use super::refine::{self, PieceBracket};
 use super::rows::LimitName;
+use super::speed_only;
 use crate::outward::Outward;
 
 /// The solver that seeks profiles. Neither bound rests on it.
@@ -100,7 +101,9 @@ impl PathBracket {
         if options.cells < 10 || options.start < 1 {
             return Err(BracketError::Option { what: "the number of cells", needed: "at least 10, with at least 1 to begin with" });
         }
-        let pieces = cells::pieces(problem, options.start.min(options.cells))?;
+        // Without rows there is nothing to solve on the first cells: fewer do.
+        let start = if problem.limits().has_acceleration() { options.start } else { options.start.div_ceil(4) };
+        let pieces = cells::pieces(problem, start.min(options.cells))?;
         let first: usize = pieces.iter().map(|p| p.cells.len()).sum();
         let mut parts = Vec::new();
         for piece in pieces {
@@ -139,6 +142,9 @@ impl PathBracket {
 /// The bracket of one piece; from nothing to for ever where no profile comes out.
 fn bracket_of(piece: Piece, problem: &JointPathProblem, options: &BracketOptions, most: usize) -> PieceBracket {
     let cells = piece.cells.len();
+    if !problem.limits().has_acceleration() {
+        return speed_only::bracket(piece, problem.limits(), options, most);
+    }
     refine::bracket(piece, problem.limits(), options, most).unwrap_or_else(|| PieceBracket {
         lower: Outward::ZERO,
         upper: Outward::exact(f64::INFINITY),

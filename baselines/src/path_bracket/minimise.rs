@@ -9,11 +9,13 @@
 
 use super::bracket::Solver;
 use super::caps;
+use super::cell_time::plain_cell_time;
 use super::cells::Cell;
 use super::hats::index;
 use super::interior_point::{self, Answer, Program, Start, Stop};
 use super::path::JointLimits;
 use super::rows::{CellRows, LimitName, cell_rows, value};
+use super::upper::of_cell;
 
 /// Use of a row, as a share of its limit, from which on the solver sees it.
 const KEPT: f64 = 0.5;
@@ -154,8 +156,10 @@ impl<'l> Minimiser<'l> {
         program
     }
 
+    /// Goes on with an answer, unless it is no profile: then with what was there.
     fn take(&mut self, answer: Answer) {
-        if !answer.x.iter().all(|x| x.is_finite()) {
+        let is_positive = |k: usize| plain_cell_time(1.0, of_cell(&answer.x, k)).is_finite();
+        if !(0..self.cells.len()).all(is_positive) {
             return;
         }
         self.x = answer.x;

@@ -40,6 +40,7 @@ mod polish;
 mod profile;
 mod refine;
 mod rows;
+mod speed_only;
 mod upper;
 
 pub use bracket::{BracketOptions, CellGap, PathBracket, Solver, StopReason};

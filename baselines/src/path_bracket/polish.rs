@@ -27,7 +27,7 @@ use super::path::JointLimits;
 /// Gauss's points on `[0, 1]` and their weights.
 pub(crate) const POINTS: [f64; 4] =
     [0.069_431_844_202_973_71, 0.330_009_478_207_571_87, 0.669_990_521_792_428_1, 0.930_568_155_797_026_3];
-const WEIGHTS: [f64; 4] =
+pub(crate) const WEIGHTS: [f64; 4] =
     [0.173_927_422_568_726_92, 0.326_072_577_431_273_1, 0.326_072_577_431_273_1, 0.173_927_422_568_726_92];
 /// Diagonals of `S`: a row meets those of its own node and of the next one.
 const BAND: usize = 2 * ROWS;

@@ -17,7 +17,7 @@ use super::hats::{self, Evidence, Hats};
 use super::minimise::Minimiser;
 use super::path::{End, JointLimits};
 use super::polish::{self, Aim, POINTS};
-use super::profile::ProfileCell;
+use super::profile::{Law, ProfileCell};
 use super::rows::{LimitName, excess, value};
 use super::upper;
 use crate::outward::Outward;
@@ -232,7 +232,7 @@ fn profile_of(minimiser: &Minimiser, b: &[f64]) -> Vec<ProfileCell> {
     let cell = |(k, c): (usize, &super::minimise::WorkCell)| ProfileCell {
         place: c.cell.place,
         length: c.cell.length,
-        b: upper::of_cell(b, k),
+        law: Law::Quadratic(upper::of_cell(b, k)),
     };
     minimiser.cells.iter().enumerate().map(cell).collect()
 }
