@@ -130,7 +130,7 @@ fn parabolic_blends_are_passed_as_fast_as_their_bend_allows() {
     for (half, printed) in [(0.01_f64, 5.232_590), (0.001, 5.522_690)] {
         let time = 4.0 * 2.0_f64.sqrt() - 3.0 * (2.0 * half).sqrt();
         assert!((time - printed).abs() < 1e-6);
-        assert_brackets(&bracket(blended(&points, half), limits.clone(), REST, 1e-6), time);
+        assert_brackets(&bracket(blended(&points, half), limits.clone(), REST, 1e-5), time);
     }
 }
 
@@ -188,13 +188,18 @@ fn brackets_of_the_ten_splines_overlap_another_programs_at_every_target() {
     }
 }
 
+/// Every fifth problem has acceleration limits alone.
+fn has_no_speed_limit(seed: u64) -> bool {
+    seed % 5 == 4
+}
+
 /// A random problem of 1 to 7 joints.
 fn random(seed: u64) -> (Cubics, JointLimits, JointLimits) {
     let mut numbers = Numbers::new(seed);
     let joints = 1 + (seed % 7) as usize;
     let path = Cubics::random(&mut numbers, joints, 3 + (seed % 3) as usize);
     let mut list = |low: f64, high: f64| (0..joints).map(|_| numbers.between(low, high)).collect::<Vec<f64>>();
-    let speed = if seed % 5 == 4 { vec![NONE; joints] } else { list(0.5, 3.0) };
+    let speed = if has_no_speed_limit(seed) { vec![NONE; joints] } else { list(0.5, 3.0) };
     let (upper, lower) = (list(1.0, 8.0), list(-8.0, -1.0));
     let swapped = JointLimits::new(
         speed.clone(),
@@ -284,7 +289,7 @@ fn limit_lists(seed: u64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let joints = 1 + (seed % 7) as usize;
     let _ = Cubics::random(&mut numbers, joints, 3 + (seed % 3) as usize);
     let mut list = |low: f64, high: f64| (0..joints).map(|_| numbers.between(low, high)).collect::<Vec<f64>>();
-    let speed = if seed % 5 == 4 { vec![NONE; joints] } else { list(0.5, 3.0) };
+    let speed = if has_no_speed_limit(seed) { vec![NONE; joints] } else { list(0.5, 3.0) };
     let (upper, lower) = (list(1.0, 8.0), list(-8.0, -1.0));
     (speed, lower, upper)
 }

@@ -270,6 +270,8 @@ fn joined(parts: Vec<Vec<Cell>>, ends: [End; 2]) -> Vec<Cell> {
 
 /// Halvings until a place where no limited joint is seen to move counts as standing.
 const DEPTH: usize = 30;
+/// Share of the largest `q_x` of a cell below which a joint may stand: the least value of a square is rounded too.
+const STILL: f64 = 1e-13;
 /// Change of `q_x` over a cell, as a share of its largest value, below which a standing path does not turn back.
 const TURNING: f64 = 1e-6;
 
@@ -307,7 +309,8 @@ pub(crate) fn without_zero_at_start(coefficients: &[f64]) -> Polynomial {
 
 /// A place where all joints stand and do not turn back.
 fn standing(joints: &[Polynomial], from: f64, width: f64, depth: usize, size: f64) -> Option<f64> {
-    let stands = |p: &Polynomial| p.range().0 <= 0.0 && p.range().1 >= 0.0;
+    let near = STILL * size;
+    let stands = |p: &Polynomial| p.range().0 <= near && p.range().1 >= -near;
     if !joints.iter().all(stands) {
         return None;
     }

@@ -27,13 +27,15 @@
 use crate::outward::Outward;
 
 use super::bernstein::{Polynomial, grown};
-use super::caps;
+use super::caps::{self, Slowness};
 use super::cells::Cell;
 use super::hats::Hat;
 use super::path::JointLimits;
 
 /// Parts of a cell.
 const PARTS: usize = 64;
+/// `w` over a bound's threshold beyond which a smaller part's bound will not matter either.
+const NEAR: f64 = 4.0;
 
 /// The multipliers at both nodes of a cell, and what is known about it.
 pub(crate) struct CellDual<'c> {
@@ -56,6 +58,8 @@ struct Part {
     /// Length, a binary fraction of the cell's.
     length: f64,
     bound: f64,
+    /// Pair bound of `b`, of the part or of one that contains it.
+    pair: f64,
     /// What halving it may gain.
     promise: f64,
 }
@@ -83,14 +87,17 @@ impl CellDual<'_> {
             joints: self.cell.derivative.clone(),
             length: self.cell.length,
             bound: 0.0,
+            pair: f64::INFINITY,
             promise: f64::INFINITY,
         };
-        let simple = self.part_bound(&root, false);
+        let simple = self.speed_bound(&root);
         if self.guide - simple <= self.allowed {
             return Outward { lo: simple, hi: f64::INFINITY };
         }
-        let bound = self.part_bound(&root, true).max(simple);
-        let mut parts = vec![Part { bound, ..root }];
+        let mut root = root;
+        self.bound(&mut root);
+        root.bound = root.bound.max(simple);
+        let mut parts = vec![root];
         loop {
             let total: f64 = parts.iter().map(|p| p.bound).sum();
             let loss = self.guide - total;
@@ -111,9 +118,9 @@ impl CellDual<'_> {
         let (w_left, w_right) = part.slope.halves();
         let length = 0.5 * part.length;
         let mut halves = [(w_left, left), (w_right, right)]
-            .map(|(slope, joints)| Part { slope, joints, length, bound: 0.0, promise: 0.0 });
+            .map(|(slope, joints)| Part { slope, joints, length, bound: 0.0, pair: part.pair, promise: 0.0 });
         for half in &mut halves {
-            half.bound = self.part_bound(half, true);
+            self.bound(half);
         }
         let gain = halves[0].bound + halves[1].bound - part.bound;
         let share = 0.05 * loss * length / self.cell.length;
@@ -161,21 +168,27 @@ impl CellDual<'_> {
         slope
     }
 
-    /// Lower bound of `∫ g` over a part; pair and kinematic bounds of `b` only where asked for and of use.
-    fn part_bound(&self, part: &Part, all_caps: bool) -> f64 {
-        let line = Line::below(&part.slope, self.cell.length);
-        let least = line.start.min(line.end);
-        let speeds = caps::slowness(&part.joints, self.limits);
-        let mut cap = if speeds.least > 0.0 {
-            (1.0 / (speeds.least * speeds.least).next_down()).next_up()
-        } else {
-            f64::INFINITY
-        };
-        let threshold = 0.5 * speeds.least * speeds.least * speeds.least;
-        if all_caps && (least < 2.0 * threshold || cap == f64::INFINITY) {
-            cap = cap.min(caps::pair(&part.joints, part.length, self.limits)).min(self.kinematic);
+    /// Lower bound of `∫ g` over a part with the speed limits as the only bounds of `b`.
+    fn speed_bound(&self, part: &Part) -> f64 {
+        let (line, speeds) = (Line::below(&part.slope, self.cell.length), caps::slowness(&part.joints, self.limits));
+        self.bound_below(part.length, &line, speeds, speed_cap(speeds))
+    }
+
+    /// Lower bound of `∫ g` over a part with all bounds of `b`. The pair bound of a containing part holds as well; its own is sought
+    /// where there was none, or where the bound is near to what matters.
+    fn bound(&self, part: &mut Part) {
+        let (line, speeds) = (Line::below(&part.slope, self.cell.length), caps::slowness(&part.joints, self.limits));
+        let mut cap = speed_cap(speeds).min(self.kinematic).min(part.pair);
+        if !(part.pair.is_finite() && line.least() > NEAR * threshold(cap)) {
+            part.pair = part.pair.min(caps::pair(&part.joints, part.length, self.limits));
+            cap = cap.min(part.pair);
         }
-        let length = Outward::exact(part.length);
+        part.bound = self.bound_below(part.length, &line, speeds, cap);
+    }
+
+    fn bound_below(&self, length: f64, line: &Line, speeds: Slowness, cap: f64) -> f64 {
+        let least = line.least();
+        let length = Outward::exact(length);
         let mut bound = line.integral(cap, length).lo;
         if speeds.mean > 0.0 {
             let shortest = Outward::exact(speeds.mean) * length;
@@ -183,13 +196,23 @@ impl CellDual<'_> {
             let by_speed = if least < 0.0 { shortest + lost } else { shortest };
             bound = bound.max(by_speed.lo);
             // 2 w <= slowness³ everywhere: all of the speed limit is used, and w b is at least w over the greatest slowness squared.
-            if least > 0.0 && line.highest <= threshold * (1.0 - 1e-12) {
+            if least > 0.0 && line.highest <= 0.5 * (speeds.least * speeds.least * speeds.least) * (1.0 - 1e-12) {
                 let most = Outward::exact(speeds.most);
                 bound = bound.max((shortest + Outward::exact(least) * length / (most * most)).lo);
             }
         }
         if bound.is_nan() { f64::NEG_INFINITY } else { bound }
     }
+}
+
+/// The speed limits' bound of `b`.
+fn speed_cap(speeds: Slowness) -> f64 {
+    if speeds.least > 0.0 { (1.0 / (speeds.least * speeds.least).next_down()).next_up() } else { f64::INFINITY }
+}
+
+/// The `w` at which a bound of `b` begins to matter.
+fn threshold(cap: f64) -> f64 {
+    if cap.is_finite() { 0.5 / (cap * cap.sqrt()) } else { 0.0 }
 }
 
 /// A straight line below `w` on a part, and a number above it.
@@ -215,11 +238,14 @@ impl Line {
         Self { start: down(first), end: down(last), highest: (slope.range().1 / h).next_up() }
     }
 
+    fn least(&self) -> f64 {
+        self.start.min(self.end)
+    }
+
     /// `∫ g` of the line over a part, from below.
     fn integral(&self, cap: f64, length: Outward) -> Outward {
-        let threshold = if cap.is_finite() { 0.5 / (cap * cap.sqrt()) } else { 0.0 };
-        let least = self.start.min(self.end);
-        if least > threshold * (1.0 + 1e-12) && least > 0.0 {
+        let least = self.least();
+        if least > threshold(cap) * (1.0 + 1e-12) && least > 0.0 {
             let (start, end) = (Outward::exact(self.start), Outward::exact(self.end));
             let middle = Outward::exact(0.5) * (start + end);
             let sum = root_bound(start) + Outward::exact(4.0) * root_bound(middle) + root_bound(end);

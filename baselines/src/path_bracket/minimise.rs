@@ -107,10 +107,10 @@ impl<'l> Minimiser<'l> {
         }
         self.keep_used();
         let start: (Vec<f64>, Vec<Vec<f64>>) = (self.x.clone(), self.cells.iter().map(|c| c.z.clone()).collect());
-        for _ in 0..REPEATS {
+        for repeat in 1..=REPEATS {
             let answer = self.warm(&start, shrink, tolerance);
             self.take(answer);
-            if self.add_broken(tolerance) == 0 {
+            if self.add_broken(tolerance, repeat) == 0 {
                 break;
             }
         }
@@ -194,18 +194,23 @@ impl<'l> Minimiser<'l> {
         }
     }
 
-    /// Adds the rows that the profile breaks; their number.
-    fn add_broken(&mut self, tolerance: f64) -> usize {
-        let mut added = 0;
-        for (k, cell) in self.cells.iter_mut().enumerate() {
-            let (x, before) = (&self.x[2 * k..2 * k + 3], cell.kept.len());
-            let mut kept = std::mem::take(&mut cell.kept).into_iter().peekable();
-            for (j, row) in cell.rows.rows.iter().enumerate() {
-                if kept.next_if_eq(&j).is_some() || value(row, x) > 1.0 + tolerance {
-                    cell.kept.push(j);
-                }
+    /// Where the profile breaks rows left out, adds all rows of the cells around, more of them at each repeat; their number. A profile that runs away breaks
+    /// single rows one after the other otherwise.
+    fn add_broken(&mut self, tolerance: f64, repeat: usize) -> usize {
+        let count = self.cells.len();
+        // The last time nothing is left out.
+        let reach = if repeat + 1 >= REPEATS { count } else { 4_usize.pow(repeat as u32 - 1) - 1 };
+        let mut near = vec![false; count];
+        for (k, cell) in self.cells.iter().enumerate() {
+            let x = &self.x[2 * k..2 * k + 3];
+            if cell.rows.rows.iter().any(|row| value(row, x) > 1.0 + tolerance) {
+                near[k.saturating_sub(reach)..(k + reach + 1).min(count)].fill(true);
             }
-            added += cell.kept.len() - before;
+        }
+        let mut added = 0;
+        for (cell, _) in self.cells.iter_mut().zip(near).filter(|(_, near)| *near) {
+            added += cell.rows.rows.len() - cell.kept.len();
+            cell.kept = (0..cell.rows.rows.len()).collect();
         }
         added
     }

@@ -33,6 +33,8 @@ pub(crate) const WEIGHTS: [f64; 4] =
 const BAND: usize = 2 * ROWS;
 /// Steps.
 const STEPS: usize = 60;
+/// Multiple of the profile's `b` that stands for no bound of it. A larger one lets rounding of `w` about 0 cost more than the whole time.
+const UNBOUNDED: f64 = 1e8;
 /// Greatest step towards the boundary.
 const TO_BOUNDARY: f64 = 0.99;
 
@@ -90,7 +92,7 @@ impl Weak {
             for g in 0..4 {
                 let (q, t) = (4 * k + g, POINTS[g]);
                 weak.weight[q] = cell.length * WEIGHTS[g];
-                weak.cap[q] = caps::at(cell, limits, t).min(1e12 * b[q]);
+                weak.cap[q] = caps::at(cell, limits, t).min(UNBOUNDED * b[q]);
                 for (side, (value, slope)) in [(1.0 - t, -1.0), (t, 1.0)].into_iter().enumerate() {
                     for (i, hat) in hats.nodes[k + side].iter().enumerate() {
                         let p = &cell.derivative[hat.joint];

@@ -56,7 +56,7 @@ impl Cubics {
         Self { knots: knots.to_vec(), segments: (0..knots.len() - 1).map(segment).collect() }
     }
 
-    /// Random, once differentiable.
+    /// Random, once differentiable, slopes between knots as of Catmull and Rom.
     pub(crate) fn random(numbers: &mut Numbers, joints: usize, segments: usize) -> Self {
         let mut knots = vec![0.0];
         for i in 0..segments {
@@ -64,7 +64,12 @@ impl Cubics {
         }
         let mut list = |size: f64| -> Vec<f64> { (0..joints).map(|_| numbers.between(-size, size)).collect() };
         let values: Vec<Vec<f64>> = (0..=segments).map(|_| list(1.5)).collect();
-        let slopes: Vec<Vec<f64>> = (0..=segments).map(|_| list(2.0)).collect();
+        // Slopes of the chords between neighbours, as a spline's are about: slopes out of nowhere make paths that nearly stand.
+        let slope = |i: usize| {
+            let (a, b) = (i.saturating_sub(1), (i + 1).min(segments));
+            (0..joints).map(|j| (values[b][j] - values[a][j]) / (knots[b] - knots[a])).collect()
+        };
+        let slopes: Vec<Vec<f64>> = (0..=segments).map(slope).collect();
         Self::hermite(&knots, &values, &slopes)
     }
 
