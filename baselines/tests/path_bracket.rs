@@ -26,11 +26,20 @@ fn bracket(path: JointPath, limits: JointLimits, ends: [End; 2], gap: f64) -> Pa
 /// The time is between the bounds and these are as close as asked; the time itself is known to a few units in the last place.
 fn assert_brackets(bracket: &PathBracket, time: f64) {
     let slack = 1e-14 * time;
-    assert!(bracket.certified && bracket.stop == StopReason::GapReached, "{} cells, gap {}", bracket.cells, bracket.gap);
+    assert!(
+        bracket.certified && bracket.stop == StopReason::GapReached,
+        "{} cells, gap {}",
+        bracket.cells,
+        bracket.gap
+    );
     assert!(bracket.lower_s <= time + slack, "lower {} above {time}", bracket.lower_s);
     assert!(bracket.upper_s >= time - slack, "upper {} below {time}", bracket.upper_s);
     // Summed in plain arithmetic over the cells.
-    assert!(bracket.profile.duration_s() <= bracket.upper_s * (1.0 + 1e-12), "profile {}", bracket.profile.duration_s());
+    assert!(
+        bracket.profile.duration_s() <= bracket.upper_s * (1.0 + 1e-12),
+        "profile {}",
+        bracket.profile.duration_s()
+    );
 }
 
 /// Rest to rest over a distance with acceleration `u`, braking `d` and speed `v`.
@@ -179,7 +188,10 @@ fn brackets_of_the_ten_splines_overlap_another_programs_at_every_target() {
         let mut bounds = [0.0, NONE];
         for gap in [1e-4, 1e-5, 1e-6] {
             let b = PathBracket::solve(&path.problem, &options(gap)).expect("a bracket");
-            println!("{} gap {gap:e}: [{}, {}] with {} cells in {} rounds", path.name, b.lower_s, b.upper_s, b.cells, b.rounds);
+            println!(
+                "{} gap {gap:e}: [{}, {}] with {} cells in {} rounds",
+                path.name, b.lower_s, b.upper_s, b.cells, b.rounds
+            );
             assert!(b.certified && b.gap <= gap && b.lower_s <= b.upper_s, "{}: gap {}", path.name, b.gap);
             assert!(b.lower_s <= other[1] && b.upper_s >= other[0], "{}: apart from the other program", path.name);
             bounds = [bounds[0].max(b.lower_s), bounds[1].min(b.upper_s)];
@@ -201,11 +213,8 @@ fn random(seed: u64) -> (Cubics, JointLimits, JointLimits) {
     let mut list = |low: f64, high: f64| (0..joints).map(|_| numbers.between(low, high)).collect::<Vec<f64>>();
     let speed = if has_no_speed_limit(seed) { vec![NONE; joints] } else { list(0.5, 3.0) };
     let (upper, lower) = (list(1.0, 8.0), list(-8.0, -1.0));
-    let swapped = JointLimits::new(
-        speed.clone(),
-        upper.iter().map(|u| -u).collect(),
-        lower.iter().map(|l| -l).collect(),
-    );
+    let swapped =
+        JointLimits::new(speed.clone(), upper.iter().map(|u| -u).collect(), lower.iter().map(|l| -l).collect());
     (path, JointLimits::new(speed, lower, upper).expect("limits"), swapped.expect("limits"))
 }
 
@@ -271,7 +280,11 @@ fn profiles_keep_every_limit_at_dense_samples_and_end_where_the_path_does() {
             for (j, [first, second]) in path.derivatives(state.s).into_iter().enumerate() {
                 let (q_dot, q_ddot) = (first * state.s_dot, first * state.s_ddot + second * state.s_dot * state.s_dot);
                 // Plain arithmetic; at knots the sample may see the bend of the wrong side, which the search for the place moves by rounding only.
-                assert!(q_dot.abs() <= speed[j] * (1.0 + 1e-9), "seed {seed}, joint {j}: speed {q_dot} at s = {}", state.s);
+                assert!(
+                    q_dot.abs() <= speed[j] * (1.0 + 1e-9),
+                    "seed {seed}, joint {j}: speed {q_dot} at s = {}",
+                    state.s
+                );
                 let slack = 1e-9 * (upper[j] - lower[j]);
                 let inside = q_ddot <= upper[j] + slack && q_ddot >= lower[j] - slack;
                 assert!(inside, "seed {seed}, joint {j}: acceleration {q_ddot} at s = {}", state.s);

@@ -78,8 +78,7 @@ impl Polynomial {
         let mut result = Self::new(powers);
         let degree = result.degree;
         for i in 0..=degree {
-            result.coefficients[i] =
-                (0..=i).map(|m| powers[m] * BINOMIALS[i][m] / BINOMIALS[degree][m]).sum();
+            result.coefficients[i] = (0..=i).map(|m| powers[m] * BINOMIALS[i][m] / BINOMIALS[degree][m]).sum();
         }
         result
     }

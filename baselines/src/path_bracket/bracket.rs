@@ -15,6 +15,8 @@ pub enum Solver {
     /// The project's own structured interior point.
     #[default]
     InteriorPoint,
+    /// The conic solver Clarabel on the same cells and rows: slower, a reference.
+    Conic,
 }
 
 /// How close the bounds are to come, and what that may cost.
@@ -99,7 +101,10 @@ impl PathBracket {
             return Err(BracketError::Option { what: "the gap", needed: "a finite number above 0" });
         }
         if options.cells < 10 || options.start < 1 {
-            return Err(BracketError::Option { what: "the number of cells", needed: "at least 10, with at least 1 to begin with" });
+            return Err(BracketError::Option {
+                what: "the number of cells",
+                needed: "at least 10, with at least 1 to begin with",
+            });
         }
         // Without rows there is nothing to solve on the first cells: fewer do.
         let start = if problem.limits().has_acceleration() { options.start } else { options.start.div_ceil(4) };

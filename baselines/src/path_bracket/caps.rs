@@ -38,7 +38,8 @@ pub(crate) fn at(cell: &Cell, limits: &JointLimits, t: f64) -> f64 {
             // f b = a_j e_i - a_i e_j: the largest value of the right side in the sense of f.
             let sign = f.signum();
             let sense = |x: f64| if x > 0.0 { Sense::Upper } else { Sense::Lower };
-            let high = first[j].abs() * pairs(sense(sign * first[j]), i) + first[i].abs() * pairs(sense(-sign * first[i]), j);
+            let high =
+                first[j].abs() * pairs(sense(sign * first[j]), i) + first[i].abs() * pairs(sense(-sign * first[i]), j);
             if f != 0.0 && high.is_finite() {
                 cap = cap.min(high / f.abs());
             }

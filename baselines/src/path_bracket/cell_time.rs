@@ -111,7 +111,9 @@ mod tests {
 
     #[test]
     fn closed_form_is_the_integral_for_bent_and_straight_quadratics() {
-        for b in [[1.0, 1.0, 1.0], [1.0, 2.0, 3.0], [0.5, 4.0, 0.2], [2.0, -0.5, 1.0], [3.0, 0.1, 0.2], [1.0, 1.001, 1.0]] {
+        for b in
+            [[1.0, 1.0, 1.0], [1.0, 2.0, 3.0], [0.5, 4.0, 0.2], [2.0, -0.5, 1.0], [3.0, 0.1, 0.2], [1.0, 1.001, 1.0]]
+        {
             let (time, reference) = (cell_time(0.7, b), by_quadrature(0.7, b));
             assert!((time.lo - reference).abs() < 1e-9 * reference, "{b:?}: {time:?} {reference}");
             assert!(time.lo < time.hi && time.hi - time.lo < 1e-13 * time.hi, "{b:?}: {time:?}");
@@ -121,7 +123,8 @@ mod tests {
 
     #[test]
     fn a_quadratic_that_touches_zero_or_is_not_a_number_takes_up_to_for_ever() {
-        for b in [[1.0, -1.0, 1.0], [0.0, 1.0, 1.0], [1.0, -2.0, 1.0], [1.0, f64::NAN, 1.0], [1.0, 1.0, f64::INFINITY]] {
+        for b in [[1.0, -1.0, 1.0], [0.0, 1.0, 1.0], [1.0, -2.0, 1.0], [1.0, f64::NAN, 1.0], [1.0, 1.0, f64::INFINITY]]
+        {
             assert_eq!(cell_time(1.0, b).hi, f64::INFINITY, "{b:?}");
         }
     }

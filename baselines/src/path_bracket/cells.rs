@@ -116,7 +116,9 @@ pub(crate) fn pieces(problem: &JointPathProblem, count: usize) -> Result<Vec<Pie
     let total: f64 = stretches.iter().flat_map(|(s, _)| s).map(|s| s.length).sum();
     let build = |(stretches, ends): (Vec<Stretch>, [End; 2])| {
         let cells = joined(stretches.iter().map(|s| cells_of(s, count as f64 / total)).collect(), ends);
-        if rests { check_stalls(&cells, ends, problem.limits())? };
+        if rests {
+            check_stalls(&cells, ends, problem.limits())?
+        };
         Ok(Piece { cells, ends })
     };
     stretches.into_iter().map(build).collect()
@@ -135,7 +137,12 @@ fn stretches_of(path: &JointPath, first: usize, last: usize, ends: [End; 2]) -> 
         // A segment that both begins and ends at rest is cut in the middle.
         let share = if from && to { 0.5 * length } else { length };
         if from {
-            result.push(Stretch { map: Map::FromRest { l: 2.0 * share }, base, length: 2.0 * share, powers: powers.clone() });
+            result.push(Stretch {
+                map: Map::FromRest { l: 2.0 * share },
+                base,
+                length: 2.0 * share,
+                powers: powers.clone(),
+            });
         }
         if to {
             let powers = powers.iter().map(|p| shifted(p, length)).collect();

@@ -117,8 +117,14 @@ impl CellDual<'_> {
         let (left, right): (Vec<_>, Vec<_>) = part.joints.iter().map(Polynomial::halves).unzip();
         let (w_left, w_right) = part.slope.halves();
         let length = 0.5 * part.length;
-        let mut halves = [(w_left, left), (w_right, right)]
-            .map(|(slope, joints)| Part { slope, joints, length, bound: 0.0, pair: part.pair, promise: 0.0 });
+        let mut halves = [(w_left, left), (w_right, right)].map(|(slope, joints)| Part {
+            slope,
+            joints,
+            length,
+            bound: 0.0,
+            pair: part.pair,
+            promise: 0.0,
+        });
         for half in &mut halves {
             self.bound(half);
         }

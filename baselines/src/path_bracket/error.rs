@@ -51,7 +51,9 @@ pub enum BracketError {
         jump: f64,
     },
     /// A limit with the wrong sign, or NaN.
-    #[error("joint {joint}: a speed limit and an upper acceleration limit are above 0, a lower one is below 0 (infinity: none)")]
+    #[error(
+        "joint {joint}: a speed limit and an upper acceleration limit are above 0, a lower one is below 0 (infinity: none)"
+    )]
     Limit {
         /// The joint.
         joint: usize,

@@ -16,10 +16,10 @@ use super::chain::ChainFactor;
 use super::rows::value;
 
 /// Weights of the four Lobatto points.
-const WEIGHTS: [f64; 4] = [1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0];
+pub(crate) const WEIGHTS: [f64; 4] = [1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0];
 const INNER: f64 = 0.276_393_202_250_021_03;
 /// Bernstein quadratics at the four Lobatto points.
-const FORMS: [[f64; 3]; 4] = [
+pub(crate) const FORMS: [[f64; 3]; 4] = [
     [1.0, 0.0, 0.0],
     [(1.0 - INNER) * (1.0 - INNER), 2.0 * INNER * (1.0 - INNER), INNER * INNER],
     [INNER * INNER, 2.0 * INNER * (1.0 - INNER), (1.0 - INNER) * (1.0 - INNER)],
@@ -76,6 +76,7 @@ pub(crate) struct Answer {
     pub(crate) x: Vec<f64>,
     /// Multipliers of the rows, s.
     pub(crate) z: Vec<f64>,
+    /// Steps taken.
     pub(crate) steps: usize,
     /// Whether the tolerance was reached.
     pub(crate) converged: bool,
@@ -124,7 +125,7 @@ pub(crate) fn solve(program: &Program, x: Vec<f64>, start: Start, stop: Stop) ->
             break;
         }
         converged = errors.within(stop.tolerance);
-        if converged || steps >= stop.steps {
+        if converged {
             break;
         }
         let least = kept.as_ref().map_or(f64::INFINITY, |k| k.0);
@@ -135,7 +136,7 @@ pub(crate) fn solve(program: &Program, x: Vec<f64>, start: Start, stop: Stop) ->
         }
         stalled = if errors.merit() < 0.9 * best { 0 } else { stalled + 1 };
         best = best.min(errors.merit());
-        if stalled > STALLED || !run.step() {
+        if steps >= stop.steps || stalled > STALLED || !run.step() {
             break;
         }
         steps += 1;
@@ -181,8 +182,20 @@ impl<'p> Run<'p> {
         let zeros = || vec![0.0; rows];
         let share = program.time(&x) / rows.max(1) as f64;
         let mut run = Self {
-            program, s: zeros(), z: zeros(), dx: vec![0.0; x.len()], ds: zeros(), dz: zeros(), ratio: zeros(), inverse: zeros(),
-            primal: zeros(), dual: vec![0.0; x.len()], curvature: vec![[0.0; 4]; cells], objective: 0.0, products: 0.0, x,
+            program,
+            s: zeros(),
+            z: zeros(),
+            dx: vec![0.0; x.len()],
+            ds: zeros(),
+            dz: zeros(),
+            ratio: zeros(),
+            inverse: zeros(),
+            primal: zeros(),
+            dual: vec![0.0; x.len()],
+            curvature: vec![[0.0; 4]; cells],
+            objective: 0.0,
+            products: 0.0,
+            x,
         };
         for k in 0..cells {
             for j in program.first[k]..program.first[k + 1] {

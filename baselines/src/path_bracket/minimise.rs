@@ -11,6 +11,7 @@ use super::bracket::Solver;
 use super::caps;
 use super::cell_time::plain_cell_time;
 use super::cells::Cell;
+use super::conic;
 use super::hats::index;
 use super::interior_point::{self, Answer, Program, Start, Stop};
 use super::path::JointLimits;
@@ -52,6 +53,9 @@ pub(crate) struct Minimiser<'l> {
     /// `b / unit`: node, middle, node, ...
     x: Vec<f64>,
     is_new: bool,
+    /// Steps of the last solve.
+    #[cfg_attr(not(test), allow(dead_code, reason = "tests watch it: the first to show a bad start"))]
+    pub(crate) steps: usize,
 }
 
 impl<'l> Minimiser<'l> {
@@ -72,7 +76,8 @@ impl<'l> Minimiser<'l> {
             WorkCell { z: vec![0.0; rows.rows.len()], kept: Vec::new(), rows, cell }
         };
         let x = caps.iter().map(|c| 0.5 * (c / unit).min(10.0)).collect();
-        let mut result = Self { cells: cells.into_iter().map(work).collect(), limits, solver, unit, x, is_new: true };
+        let mut result =
+            Self { cells: cells.into_iter().map(work).collect(), limits, solver, unit, x, is_new: true, steps: 0 };
         result.keep_within(&caps);
         result
     }
@@ -116,7 +121,7 @@ impl<'l> Minimiser<'l> {
         }
     }
 
-    /// Solves from a shrunk start; once more from twice as far inside if that fails.
+    /// Solves from a shrunk start; if that does not converge, from further inside, and if that does not either, with the conic solver.
     fn warm(&self, start: &(Vec<f64>, Vec<Vec<f64>>), shrink: f64, tolerance: f64) -> Answer {
         let program = self.program();
         let kept = self.cells.iter().zip(&start.1).flat_map(|(c, z)| c.kept.iter().map(|j| z[*j]));
@@ -135,12 +140,20 @@ impl<'l> Minimiser<'l> {
             self.solve(&program, x, Start::Warm { multipliers: &multipliers, product }, tolerance)
         };
         let answer = from(shrink);
-        if answer.converged { answer } else { better(answer, from(4.0 * shrink)) }
+        if answer.converged {
+            return answer;
+        }
+        let again = from(4.0 * shrink);
+        if again.converged { again } else { conic::solve(&program, tolerance.clamp(1e-9, 1e-6)).unwrap_or(answer) }
     }
 
+    /// The solver's answer; the structured one's where the conic one has none.
     fn solve(&self, program: &Program, x: Vec<f64>, start: Start, tolerance: f64) -> Answer {
+        let conic = || conic::solve(program, tolerance.clamp(1e-9, 1e-6));
+        let own = |x: Vec<f64>| interior_point::solve(program, x, start, Stop { tolerance, steps: STEPS });
         match self.solver {
-            Solver::InteriorPoint => interior_point::solve(program, x, start, Stop { tolerance, steps: STEPS }),
+            Solver::InteriorPoint => own(x),
+            Solver::Conic => conic().unwrap_or_else(|| own(x)),
         }
     }
 
@@ -162,7 +175,7 @@ impl<'l> Minimiser<'l> {
         if !(0..self.cells.len()).all(is_positive) {
             return;
         }
-        self.x = answer.x;
+        (self.x, self.steps) = (answer.x, answer.steps);
         let mut z = answer.z.into_iter();
         for cell in &mut self.cells {
             cell.z.fill(0.0);
@@ -271,9 +284,4 @@ fn order(name: LimitName) -> usize {
         LimitName::Acceleration { joint, sense } => index(joint, sense),
         LimitName::Speed { joint } => usize::MAX / 2 + joint,
     }
-}
-
-/// The answer to go on with: the one that converged, else the first.
-fn better(first: Answer, second: Answer) -> Answer {
-    if second.converged { second } else { first }
 }

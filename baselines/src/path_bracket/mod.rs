@@ -29,6 +29,9 @@ mod caps;
 mod cell_time;
 mod cells;
 mod chain;
+#[cfg(test)]
+mod check;
+mod conic;
 mod enclosure;
 mod error;
 mod givens;

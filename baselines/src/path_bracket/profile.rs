@@ -122,7 +122,11 @@ impl ProfileCell {
         let mut t = (time / self.time_until(1.0)).clamp(0.0, 1.0);
         for _ in 0..STEPS {
             let error = self.time_until(t) - time;
-            if error > 0.0 { high = t } else { low = t }
+            if error > 0.0 {
+                high = t
+            } else {
+                low = t
+            }
             let next = t - error * self.rate_at(t).0.sqrt() / self.length;
             let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
             if (next - t).abs() <= 1e-16 {

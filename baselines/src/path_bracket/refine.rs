@@ -67,7 +67,12 @@ struct Round {
 }
 
 /// Brackets one piece.
-pub(crate) fn bracket(piece: Piece, limits: &JointLimits, options: &BracketOptions, most: usize) -> Option<PieceBracket> {
+pub(crate) fn bracket(
+    piece: Piece,
+    limits: &JointLimits,
+    options: &BracketOptions,
+    most: usize,
+) -> Option<PieceBracket> {
     let ends = piece.ends;
     let mut minimiser = Minimiser::new(piece.cells, limits, options.solver);
     let (mut shares, mut gap, mut before, mut poor) = (Vec::new(), f64::INFINITY, f64::INFINITY, 0);
@@ -156,7 +161,7 @@ fn one_round(
 }
 
 /// `b` at the Gauss points of every cell.
-fn at_points(b: &[f64]) -> Vec<f64> {
+pub(crate) fn at_points(b: &[f64]) -> Vec<f64> {
     let cells = b.len() / 2;
     let form = |t: f64| [(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t];
     (0..cells).flat_map(|k| POINTS.map(|t| value(&form(t), &b[2 * k..2 * k + 3]))).collect()
@@ -177,7 +182,12 @@ fn dual<'c>(cells: &[&'c Cell], limits: &'c JointLimits, hats: &'c Hats, k: usiz
 fn enclosed(cells: &[&Cell], ends: [End; 2], limits: &JointLimits, round: &Round, allowed: f64) -> Vec<Outward> {
     let kinematic = caps::kinematic(cells, ends, limits);
     let cell = |k: usize| {
-        let dual = CellDual { kinematic: kinematic[k], guide: round.integral[k], allowed, ..dual(cells, limits, &round.hats, k) };
+        let dual = CellDual {
+            kinematic: kinematic[k],
+            guide: round.integral[k],
+            allowed,
+            ..dual(cells, limits, &round.hats, k)
+        };
         dual.lower()
     };
     (0..cells.len()).map(cell).collect()
@@ -249,4 +259,18 @@ fn named(minimiser: &Minimiser, limits: &JointLimits, b: &[f64], gaps: &[f64]) -
         }
     };
     gaps.iter().enumerate().map(cell).collect()
+}
+
+/// Sums of the enclosed bounds and times of one round on a minimiser's cells, and the cells' gaps.
+#[cfg(test)]
+pub(crate) fn bounds_and_gaps(
+    minimiser: &Minimiser<'_>,
+    ends: [End; 2],
+    limits: &JointLimits,
+) -> ((f64, f64), Vec<f64>) {
+    let round = one_round(minimiser, ends, limits, &[], f64::INFINITY, 1e-4).expect("a round");
+    let cells: Vec<&Cell> = minimiser.cells.iter().map(|c| &c.cell).collect();
+    let bounds: Vec<f64> = enclosed(&cells, ends, limits, &round, 0.0).iter().map(|l| l.lo).collect();
+    let gaps = cell_gaps(minimiser, &round, &bounds);
+    ((bounds.iter().sum(), round.times.iter().map(|t| t.hi).sum()), gaps)
 }

@@ -100,9 +100,8 @@ fn way(q: &Polynomial, limit: f64, length: Outward) -> f64 {
 /// Brackets one piece under speed limits alone.
 pub(crate) fn bracket(piece: Piece, limits: &JointLimits, options: &BracketOptions, most: usize) -> PieceBracket {
     let mut heap: BinaryHeap<Part> = piece.cells.into_iter().map(|cell| Part::new(cell, limits)).collect();
-    let sums = |heap: &BinaryHeap<Part>| {
-        heap.iter().fold((0.0, 0.0), |(lower, gap), p| (lower + p.lower, gap + p.gap()))
-    };
+    let sums =
+        |heap: &BinaryHeap<Part>| heap.iter().fold((0.0, 0.0), |(lower, gap), p| (lower + p.lower, gap + p.gap()));
     let (mut lower, mut gap) = sums(&heap);
     // A tenth of what is asked for, since it is nearly free; the sums here only steer.
     while gap > 0.1 * options.gap * lower && heap.len() < most {

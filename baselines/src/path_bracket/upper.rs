@@ -19,7 +19,11 @@ const TRIES: usize = 8;
 
 /// Scales a profile (node, middle, node, ...) down until no limit is exceeded in any cell, as [`excess`] proves. Every row is homogeneous in `b`.
 /// `None` if the profile is no profile: not positive, not finite, or never within the limits.
-pub(crate) fn within_limits<'c>(cells: impl Iterator<Item = &'c Cell> + Clone, limits: &JointLimits, mut b: Vec<f64>) -> Option<Vec<f64>> {
+pub(crate) fn within_limits<'c>(
+    cells: impl Iterator<Item = &'c Cell> + Clone,
+    limits: &JointLimits,
+    mut b: Vec<f64>,
+) -> Option<Vec<f64>> {
     for attempt in 0..TRIES {
         let worst = cells.clone().enumerate().map(|(k, cell)| excess(cell, limits, of_cell(&b, k)).0).fold(0.0, worse);
         if worst <= 1.0 && attempt > 0 {

@@ -20,7 +20,8 @@ pub(crate) fn stored(text: &str) -> Vec<Stored> {
     let mut result = Vec::new();
     while let Some(head) = lines.next() {
         let words: Vec<&str> = head.split_whitespace().collect();
-        let (joints, segments): (usize, usize) = (words[1].parse().expect("joints"), words[2].parse().expect("segments"));
+        let (joints, segments): (usize, usize) =
+            (words[1].parse().expect("joints"), words[2].parse().expect("segments"));
         let end = |word: &str| if word == "1" { End::Rest } else { End::Free };
         let mut row = || numbers(lines.next().expect("a line"));
         let (knots, speed, lower, upper) = (row(), row(), row(), row());
