@@ -153,6 +153,14 @@ fn at_corners_of_lines_the_robot_rests() {
 }
 
 #[test]
+fn a_corner_of_a_joint_without_acceleration_limits_is_no_rest() {
+    // The first joint goes straight on; the second turns back at s = 1 and has a speed limit alone.
+    let path = JointPath::lines(vec![0.0, 1.0, 2.0], &[vec![0.0, 0.0], vec![1.0, 0.5], vec![2.0, 0.0]]).expect("lines");
+    let limits = JointLimits::new(vec![1.0, 1.0], vec![-2.0, -NONE], vec![2.0, NONE]).expect("limits");
+    assert_brackets(&bracket(path, limits, REST, 1e-6), trapezoid(2.0, 2.0, 2.0, 1.0));
+}
+
+#[test]
 fn a_path_with_its_own_rest_parameter_and_one_without_have_the_same_time() {
     // q = 3 s² - 2 s³: q' = 0 at both ends already.
     let clamped = JointPath::new(vec![0.0, 1.0], vec![vec![vec![0.0, 0.0, 3.0, -2.0]]]).expect("a path");
@@ -333,9 +341,12 @@ fn what_is_no_path_or_no_limit_is_refused_with_its_place() {
     );
     assert_eq!(two(vec![0.0, 1.0], vec![1.0, 1.0], vec![0.0, 1.0, 1.0]), Err(BracketError::Knot { knot: 2 }));
     assert_eq!(two(vec![0.0, 1.0], vec![1.0, 1.0], vec![0.0, f64::NAN, 2.0]), Err(BracketError::Knot { knot: 1 }));
-    for (v, lower, upper) in [(0.0, -1.0, 1.0), (1.0, 1.0, 1.0), (1.0, -1.0, f64::NAN), (f64::NAN, -1.0, 1.0)] {
+    for (v, lower, upper) in
+        [(0.0, -1.0, 1.0), (1.0, 1.0, 1.0), (1.0, -1.0, f64::NAN), (f64::NAN, -1.0, 1.0), (1.0, -NONE, 1.0)]
+    {
         assert_eq!(JointLimits::new(vec![v], vec![lower], vec![upper]), Err(BracketError::Limit { joint: 0 }));
     }
+    assert_eq!(line(vec![0.0, 1e40]), Err(BracketError::Size { segment: 0 }));
     let still = two(vec![0.0, 1.0], vec![1.0], vec![0.0, 1.0, 2.0]).expect("a path");
     assert_eq!(
         JointPathProblem::new(still, limits(1.0, -1.0, 1.0), REST),

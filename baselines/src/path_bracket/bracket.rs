@@ -70,7 +70,7 @@ pub struct PathBracket {
     pub lower_s: f64,
     /// Travel time of the profile, rounded up, s.
     pub upper_s: f64,
-    /// `upper / lower - 1`.
+    /// `upper / lower - 1`, rounded up; infinite where a bound is missing.
     pub gap: f64,
     /// Whether the gap asked for is reached.
     pub certified: bool,
@@ -121,7 +121,7 @@ impl PathBracket {
     fn of(parts: Vec<PieceBracket>, options: &BracketOptions) -> Self {
         let sum = |of: fn(&PieceBracket) -> Outward| parts.iter().map(of).fold(Outward::ZERO, |sum, time| sum + time);
         let (lower_s, upper_s) = (sum(|p| p.lower).lo.max(0.0), sum(|p| p.upper).hi);
-        let gap = upper_s / lower_s - 1.0;
+        let gap = refine::relative_gap(lower_s, upper_s);
         let mut worst: Vec<CellGap> = parts
             .iter()
             .flat_map(|p| &p.gaps)
@@ -134,7 +134,7 @@ impl PathBracket {
             lower_s,
             upper_s,
             gap,
-            certified: lower_s > 0.0 && gap <= options.gap,
+            certified: gap <= options.gap,
             cells: parts.iter().map(|p| p.cells).sum(),
             rounds: parts.iter().map(|p| p.rounds).max().unwrap_or(0),
             stop: stops.clone().find(|s| *s != StopReason::GapReached).unwrap_or(StopReason::GapReached),

@@ -11,7 +11,8 @@
 //!
 //! **The cells define the path that is bracketed.** The Bernstein coefficients of `q_x` in the first cells are the numbers stored,
 //! exactly, and neighbours share the one at their node: `q_x` is continuous without a rounding error to charge for. They differ from the input by
-//! a few units in the last place of the largest `q_x` of a cell. Halves of cells are enclosed with a radius.
+//! a few units in the last place of the largest `q_x` of a cell; jumps of `q'` at knots below 1e-9 of it count as rounding and are closed, and a `q'` of less
+//! than that at a rest end counts as 0. Halves of cells are enclosed with a radius.
 
 use super::bernstein::Polynomial;
 use super::error::BracketError;
@@ -105,7 +106,7 @@ pub(crate) fn pieces(problem: &JointPathProblem, count: usize) -> Result<Vec<Pie
     let rests = problem.limits().has_acceleration();
     let (mut stretches, mut first) = (Vec::new(), 0);
     for i in 0..path.segment_count() {
-        if i + 1 == path.segment_count() || path.is_corner(i) {
+        if i + 1 == path.segment_count() || path.is_corner(i, |j| problem.limits().is_accelerated(j)) {
             let inner = if rests { End::Rest } else { End::Free };
             let start = if first == 0 && rests { problem.ends()[0] } else { inner };
             let end = if i + 1 == path.segment_count() && rests { problem.ends()[1] } else { inner };
@@ -115,7 +116,8 @@ pub(crate) fn pieces(problem: &JointPathProblem, count: usize) -> Result<Vec<Pie
     }
     let total: f64 = stretches.iter().flat_map(|(s, _)| s).map(|s| s.length).sum();
     let build = |(stretches, ends): (Vec<Stretch>, [End; 2])| {
-        let cells = joined(stretches.iter().map(|s| cells_of(s, count as f64 / total)).collect(), ends);
+        let cells =
+            joined(stretches.iter().map(|s| cells_of(s, count as f64 / total)).collect(), ends, problem.limits());
         if rests {
             check_stalls(&cells, ends, problem.limits())?
         };
@@ -252,12 +254,14 @@ fn cells_of(stretch: &Stretch, density: f64) -> Vec<Cell> {
     (0..count).map(cell).collect()
 }
 
-/// The cells of all stretches of a piece, with one number at each node and exact zeros at rest ends.
-fn joined(parts: Vec<Vec<Cell>>, ends: [End; 2]) -> Vec<Cell> {
+/// The cells of all stretches of a piece, with one number at each node for every joint with acceleration limits, and exact zeros at rest ends. The `q'` of other
+/// joints may jump.
+fn joined(parts: Vec<Vec<Cell>>, ends: [End; 2], limits: &JointLimits) -> Vec<Cell> {
     let mut cells: Vec<Cell> = parts.into_iter().flatten().collect();
     for k in 1..cells.len() {
         let (before, after) = cells.split_at_mut(k);
-        for (b, a) in before[k - 1].derivative.iter_mut().zip(&after[0].derivative) {
+        let pairs = before[k - 1].derivative.iter_mut().zip(&after[0].derivative).enumerate();
+        for (_, (b, a)) in pairs.filter(|(joint, _)| limits.is_accelerated(*joint)) {
             let n = b.degree();
             b.coefficients_mut()[n] = a.coefficients()[0];
         }

@@ -170,7 +170,8 @@ impl CellDual<'_> {
         }
         // A term has 4 roundings and joins a sum of at most 6: below 16 epsilon of the sum of sizes.
         let mut slope = Polynomial::new(&sum[..=n]);
-        slope.radius = grown(2.0 * radius, 16.0 * size);
+        // Near overflow a sum may not be a number, which minima pass over.
+        slope.radius = if size < 1e200 { grown(2.0 * radius, 16.0 * size) } else { f64::INFINITY };
         slope
     }
 
@@ -193,6 +194,9 @@ impl CellDual<'_> {
     }
 
     fn bound_below(&self, length: f64, line: &Line, speeds: Slowness, cap: f64) -> f64 {
+        if !(line.start.is_finite() && line.end.is_finite()) {
+            return f64::NEG_INFINITY;
+        }
         let least = line.least();
         let length = Outward::exact(length);
         let mut bound = line.integral(cap, length).lo;

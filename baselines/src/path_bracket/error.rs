@@ -50,9 +50,16 @@ pub enum BracketError {
         /// Difference of the joint's two values.
         jump: f64,
     },
-    /// A limit with the wrong sign, or NaN.
+    /// Numbers of a segment so large or small that products of them overflow or vanish.
+    #[error("segment {segment}: coefficients and knots must be below 1e30, and lengths above 1e-30: use other units")]
+    Size {
+        /// The segment.
+        segment: usize,
+    },
+    /// A limit with the wrong sign, NaN, or of a size like [`BracketError::Size`].
     #[error(
-        "joint {joint}: a speed limit and an upper acceleration limit are above 0, a lower one is below 0 (infinity: none)"
+        "joint {joint}: a speed limit and an upper acceleration limit are above 0, a lower one is below 0, of sizes from \
+         1e-30 to 1e30; infinity stands for none, of both acceleration limits or of neither"
     )]
     Limit {
         /// The joint.

@@ -17,7 +17,7 @@ use super::rows::value;
 
 /// Weights of the four Lobatto points.
 pub(crate) const WEIGHTS: [f64; 4] = [1.0 / 12.0, 5.0 / 12.0, 5.0 / 12.0, 1.0 / 12.0];
-const INNER: f64 = 0.276_393_202_250_021_03;
+const INNER: f64 = 0.276_393_202_250_021;
 /// Bernstein quadratics at the four Lobatto points.
 pub(crate) const FORMS: [[f64; 3]; 4] = [
     [1.0, 0.0, 0.0],
@@ -104,6 +104,13 @@ impl Errors {
     }
 }
 
+/// The best iterate so far.
+struct Kept {
+    errors: f64,
+    x: Vec<f64>,
+    z: Vec<f64>,
+}
+
 /// Steps without a tenth of progress after which a run ends.
 const STALLED: usize = 12;
 /// Least slack a cold start gives to a row.
@@ -116,7 +123,7 @@ const FALL: f64 = 0.9;
 /// Solves the program from `x`.
 pub(crate) fn solve(program: &Program, x: Vec<f64>, start: Start, stop: Stop) -> Answer {
     let mut run = Run::new(program, x, start);
-    let (mut best, mut kept): (f64, Option<(f64, Vec<f64>, Vec<f64>)>) = (f64::INFINITY, None);
+    let (mut best, mut kept): (f64, Option<Kept>) = (f64::INFINITY, None);
     let (mut stalled, mut steps, mut converged) = (0, 0, false);
     loop {
         let errors = run.measure();
@@ -128,9 +135,9 @@ pub(crate) fn solve(program: &Program, x: Vec<f64>, start: Start, stop: Stop) ->
         if converged {
             break;
         }
-        let least = kept.as_ref().map_or(f64::INFINITY, |k| k.0);
+        let least = kept.as_ref().map_or(f64::INFINITY, |k| k.errors);
         if sum < least && errors.complementarity < 1e-3 {
-            kept = Some((sum, run.x.clone(), run.z.clone()));
+            kept = Some(Kept { errors: sum, x: run.x.clone(), z: run.z.clone() });
         } else if sum > 100.0 * least {
             break;
         }
@@ -142,7 +149,7 @@ pub(crate) fn solve(program: &Program, x: Vec<f64>, start: Start, stop: Stop) ->
         steps += 1;
     }
     match kept {
-        Some((_, x, z)) if !converged => Answer { x, z, steps, converged },
+        Some(Kept { x, z, .. }) if !converged => Answer { x, z, steps, converged },
         _ => Answer { x: run.x, z: run.z, steps, converged },
     }
 }

@@ -21,6 +21,7 @@
 //! with the remainder of its polynomials against it.
 //!
 //! Sources: Verscheure et al. 2009 for `b`; the bracket is this project's.
+#![allow(clippy::needless_range_loop, reason = "one index runs over several lists: rows, slacks, multipliers")]
 
 mod banded;
 mod bernstein;

@@ -15,6 +15,8 @@ pub struct JointPath {
 
 /// Jump of `q` or `q'` at a knot that counts as rounding, as a share of the largest value beside it.
 const ROUNDING: f64 = 1e-9;
+/// Numbers stay below this, and positive ones above its inverse: products of a few of them neither overflow nor vanish.
+const LARGEST: f64 = 1e30;
 
 impl JointPath {
     /// A path from its knots (path parameter, strictly rising) and, for each interval between them and each joint, its coefficients by
@@ -44,9 +46,16 @@ impl JointPath {
                 if c.iter().any(|c| !c.is_finite()) {
                     return Err(BracketError::NotFinite { segment, joint });
                 }
+                if c.iter().any(|c| !(c.abs() < LARGEST)) {
+                    return Err(BracketError::Size { segment });
+                }
             }
         }
         let path = Self { joints, knots, segments };
+        let is_usable = |i: &usize| path.length(*i) > 1.0 / LARGEST && path.knots[*i].abs() < LARGEST;
+        if let Some(segment) = (0..path.segments.len()).find(|i| !is_usable(i)) {
+            return Err(BracketError::Size { segment });
+        }
         path.check_jumps()?;
         Ok(path)
     }
@@ -121,12 +130,13 @@ impl JointPath {
         polynomials.iter().map(|c| (0..count).map(|m| term(c, m)).collect()).collect()
     }
 
-    /// Whether `q'` of some joint jumps at the knot that ends a segment.
-    pub(crate) fn is_corner(&self, segment: usize) -> bool {
+    /// Whether `q'` of some of the joints asked for jumps at the knot that ends a segment.
+    pub(crate) fn is_corner(&self, segment: usize, asked: impl Fn(usize) -> bool) -> bool {
         let length = self.length(segment);
         let (before, after) = (self.derivative(segment), self.derivative(segment + 1));
         let next = self.length(segment + 1);
-        before.iter().zip(&after).any(|(b, a)| {
+        (0..self.joints).filter(|joint| asked(*joint)).any(|joint| {
+            let (b, a) = (&before[joint], &after[joint]);
             let end = b.iter().rev().fold(0.0, |sum, c| sum * length + c);
             let size = |c: &[f64], l: f64| c.iter().rev().fold(0.0, |sum, c| sum * l + c.abs());
             !((a[0] - end).abs() <= ROUNDING * size(b, length).max(size(a, next)))
@@ -151,6 +161,7 @@ pub struct JointLimits {
 
 impl JointLimits {
     /// Limits of speed (both senses) and of acceleration (each sense), one entry a joint, `f64::INFINITY` or its negative for none.
+    /// A joint has both acceleration limits or neither: with one sense free, `q'` could jump in that sense without rest.
     ///
     /// # Errors
     ///
@@ -159,7 +170,9 @@ impl JointLimits {
         count("lower acceleration limits", lower.len(), speed.len())?;
         count("upper acceleration limits", upper.len(), speed.len())?;
         for joint in 0..speed.len() {
-            if !(speed[joint] > 0.0 && lower[joint] < 0.0 && upper[joint] > 0.0) {
+            let is_usable = |limit: f64| limit == f64::INFINITY || limit > 1.0 / LARGEST && limit < LARGEST;
+            let both = lower[joint].is_finite() == upper[joint].is_finite();
+            if !(is_usable(speed[joint]) && is_usable(-lower[joint]) && is_usable(upper[joint]) && both) {
                 return Err(BracketError::Limit { joint });
             }
         }
@@ -201,9 +214,9 @@ impl JointLimits {
         (0..self.joints()).any(|j| self.is_accelerated(j))
     }
 
-    /// Whether a joint has an acceleration limit in some sense.
+    /// Whether a joint has acceleration limits.
     pub(crate) fn is_accelerated(&self, joint: usize) -> bool {
-        self.upper[joint].is_finite() || self.lower[joint].is_finite()
+        self.upper[joint].is_finite()
     }
 
     /// Whether a joint has any limit.

@@ -108,7 +108,7 @@ pub(crate) fn bracket(
             new_gap = upper.hi / lower.lo - 1.0;
         }
         let gaps = cell_gaps(&minimiser, &now, &bounds);
-        let reached = lower.lo > 0.0 && upper.hi / lower.lo - 1.0 <= target;
+        let reached = relative_gap(lower.lo, upper.hi) <= target;
         if reached || last {
             let stop = if reached {
                 StopReason::GapReached
@@ -181,16 +181,24 @@ fn dual<'c>(cells: &[&'c Cell], limits: &'c JointLimits, hats: &'c Hats, k: usiz
 /// Lower bounds of all cells.
 fn enclosed(cells: &[&Cell], ends: [End; 2], limits: &JointLimits, round: &Round, allowed: f64) -> Vec<Outward> {
     let kinematic = caps::kinematic(cells, ends, limits);
+    let count = cells.len();
     let cell = |k: usize| {
-        let dual = CellDual {
+        let mut dual = CellDual {
             kinematic: kinematic[k],
             guide: round.integral[k],
             allowed,
             ..dual(cells, limits, &round.hats, k)
         };
+        // At a free end p must vanish, whatever the multipliers.
+        if k == 0 && ends[0] == End::Free {
+            dual.hats[0] = &[];
+        }
+        if k + 1 == count && ends[1] == End::Free {
+            dual.hats[1] = &[];
+        }
         dual.lower()
     };
-    (0..cells.len()).map(cell).collect()
+    (0..count).map(cell).collect()
 }
 
 /// `gap_k` of every cell, a guide.
@@ -259,6 +267,11 @@ fn named(minimiser: &Minimiser, limits: &JointLimits, b: &[f64], gaps: &[f64]) -
         }
     };
     gaps.iter().enumerate().map(cell).collect()
+}
+
+/// `upper / lower - 1`, rounded up; infinite unless both are positive numbers.
+pub(crate) fn relative_gap(lower: f64, upper: f64) -> f64 {
+    if lower > 0.0 && upper < f64::INFINITY { ((upper / lower).next_up() - 1.0).next_up() } else { f64::INFINITY }
 }
 
 /// Sums of the enclosed bounds and times of one round on a minimiser's cells, and the cells' gaps.

@@ -23,7 +23,7 @@ use super::caps;
 use super::cells::{Cell, Piece};
 use super::path::JointLimits;
 use super::profile::{Law, ProfileCell};
-use super::refine::{PieceBracket, PieceGap};
+use super::refine::{PieceBracket, PieceGap, relative_gap};
 use super::rows::LimitName;
 
 /// A part of a cell with bounds of `∫ σ`.
@@ -123,7 +123,7 @@ fn finished(mut parts: Vec<Part>, limits: &JointLimits, options: &BracketOptions
     parts.sort_by(|a, b| a.cell.place.at(0.0).0.total_cmp(&b.cell.place.at(0.0).0));
     let sum = |of: fn(&Part) -> f64| parts.iter().fold(Outward::ZERO, |sum, p| sum + Outward::exact(of(p)));
     let (lower, upper) = (sum(|p| p.lower), sum(|p| p.upper));
-    let reached = lower.lo > 0.0 && upper.hi / lower.lo - 1.0 <= options.gap;
+    let reached = relative_gap(lower.lo, upper.hi) <= options.gap;
     let stop = if reached {
         StopReason::GapReached
     } else if parts.len() >= most {
