@@ -29,6 +29,8 @@ const ROUGH: f64 = 0.05;
 const PRODUCT: f64 = 0.3;
 /// Times rows are added in one round.
 const REPEATS: usize = 4;
+/// Tolerance of the conic solver.
+const CONIC_TOLERANCE: f64 = 1e-8;
 /// Steps of a solve.
 const STEPS: usize = 60;
 
@@ -121,7 +123,7 @@ impl<'l> Minimiser<'l> {
         }
     }
 
-    /// Solves from a shrunk start; if that does not converge, from further inside, and if that does not either, with the conic solver.
+    /// Solves from a shrunk start; if that does not converge, from further inside.
     fn warm(&self, start: &(Vec<f64>, Vec<Vec<f64>>), shrink: f64, tolerance: f64) -> Answer {
         let program = self.program();
         let kept = self.cells.iter().zip(&start.1).flat_map(|(c, z)| c.kept.iter().map(|j| z[*j]));
@@ -143,13 +145,15 @@ impl<'l> Minimiser<'l> {
         if answer.converged {
             return answer;
         }
+        // What did not converge is good enough as a rule: the check afterwards tells. Only an answer that is no profile goes to the conic solver.
         let again = from(4.0 * shrink);
-        if again.converged { again } else { conic::solve(&program, tolerance.clamp(1e-9, 1e-6)).unwrap_or(answer) }
+        let best = if again.converged || !is_profile(&answer.x) { again } else { answer };
+        if is_profile(&best.x) { best } else { conic::solve(&program, CONIC_TOLERANCE).unwrap_or(best) }
     }
 
     /// The solver's answer; the structured one's where the conic one has none.
     fn solve(&self, program: &Program, x: Vec<f64>, start: Start, tolerance: f64) -> Answer {
-        let conic = || conic::solve(program, tolerance.clamp(1e-9, 1e-6));
+        let conic = || conic::solve(program, CONIC_TOLERANCE);
         let own = |x: Vec<f64>| interior_point::solve(program, x, start, Stop { tolerance, steps: STEPS });
         match self.solver {
             Solver::InteriorPoint => own(x),
@@ -171,8 +175,7 @@ impl<'l> Minimiser<'l> {
 
     /// Goes on with an answer, unless it is no profile: then with what was there.
     fn take(&mut self, answer: Answer) {
-        let is_positive = |k: usize| plain_cell_time(1.0, of_cell(&answer.x, k)).is_finite();
-        if !(0..self.cells.len()).all(is_positive) {
+        if !is_profile(&answer.x) {
             return;
         }
         (self.x, self.steps) = (answer.x, answer.steps);
@@ -252,6 +255,11 @@ impl<'l> Minimiser<'l> {
         }
         (self.cells, self.x) = (cells, x);
     }
+}
+
+/// Whether `b > 0` in every cell.
+fn is_profile(x: &[f64]) -> bool {
+    (0..x.len() / 2).all(|k| plain_cell_time(1.0, of_cell(x, k)).is_finite())
 }
 
 /// Multipliers of a half: half of the parent's sum for each limit, in proportion to `1 / (1 + shrink - row · b)`.
