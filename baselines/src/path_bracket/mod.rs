@@ -10,14 +10,14 @@
 //! answer keeps them on whole cells and takes `upper_s`. [`crate::time_optimal`] is about the rows at the nodes of a grid, and its bracket
 //! lies off this one by an amount of the first order in the grid.
 //!
-//! - Above: `b` is a quadratic in every cell, limits hold for all Bernstein coefficients ([`rows`]), the time is in closed form ([`cell_time`]).
-//! - Below: weak duality in function space with multipliers that are sums of hat functions ([`hats`], [`polish`], [`enclosure`]).
-//! - Between: the difference is a sum over cells, and the cells that hold most of it are halved ([`refine`]).
+//! - Above: `b` is a quadratic in every cell, limits hold for all Bernstein coefficients (`rows`), the time is in closed form (`cell_time`).
+//! - Below: weak duality in function space with multipliers that are sums of hat functions (`hats`, `polish`, `enclosure`).
+//! - Between: the difference is a sum over cells, and the cells that hold most of it are halved (`refine`).
 //!
 //! Neither bound rests on a solver: multipliers and profiles are checked with outward rounding, whatever their origin. What is bracketed is the path
-//! whose derivative has the numbers stored in the first cells, the input rounded ([`cells`]).
+//! whose derivative has the numbers stored in the first cells, the input rounded (`cells`).
 //!
-//! Limits are those of joints, constant along the path; a row of another kind `a u + c b + d <= U` would join [`rows`] (above) and [`enclosure`] (below), each
+//! Limits are those of joints, constant along the path; a row of another kind `a u + c b + d <= U` would join `rows` (above) and `enclosure` (below), each
 //! with the remainder of its polynomials against it.
 //!
 //! Sources: Verscheure et al. 2009 for `b`; the bracket is this project's.
