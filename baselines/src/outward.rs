@@ -39,6 +39,28 @@ impl Outward {
         Self { lo: root.lo.max(0.0), hi: root.hi }
     }
 
+    /// Cube root of an interval without negative numbers; negative parts are cut off. The library's root is not taken on trust: a
+    /// candidate counts once its cube, rounded outwards, lies on the right side.
+    #[must_use]
+    pub fn cbrt(self) -> Self {
+        let (mut lo, mut hi) = (self.lo.max(0.0).cbrt().next_down().max(0.0), self.hi.max(0.0).cbrt().next_up());
+        let mut step = f64::EPSILON;
+        let cube = |x: f64| Self::exact(x) * Self::exact(x) * Self::exact(x);
+        while lo > 0.0 && !(cube(lo).hi <= self.lo) {
+            lo *= 1.0 - step;
+            step *= 2.0;
+            if step >= 1.0 {
+                lo = 0.0;
+            }
+        }
+        let mut step = f64::EPSILON;
+        while hi < f64::INFINITY && !(cube(hi).lo >= self.hi) {
+            hi *= 1.0 + step;
+            step *= 2.0;
+        }
+        Self { lo, hi }
+    }
+
     /// The smaller of the value and zero.
     #[must_use]
     pub fn min_zero(self) -> Self {
@@ -113,6 +135,17 @@ mod tests {
         let root = Outward::exact(2.0).sqrt();
         let two = root * root;
         assert!(two.lo <= 2.0 && 2.0 <= two.hi);
+    }
+
+    #[test]
+    fn cube_roots_are_narrow_and_their_cubes_contain_the_number() {
+        for x in [0.0, 1e-300, 0.1, 2.0, 27.0, 1e200] {
+            let root = Outward::exact(x).cbrt();
+            let cube = root * root * root;
+            assert!(cube.lo <= x && x <= cube.hi, "{x}: {root:?}");
+            assert!(root.hi - root.lo <= 4e-15 * root.hi + 1e-99, "{x}: {root:?}");
+        }
+        assert_eq!(Outward::exact(-1.0).cbrt().lo, 0.0);
     }
 
     #[test]
