@@ -50,7 +50,7 @@ pub use refine::{Refined, refine_optimum, refine_optimum_by, refine_profile};
 pub use repair::{feasible_time, repair};
 pub use solver::{Attempt, Solver, SolverAnswer};
 pub use strip::{Row, RowSource, Strip};
-pub use structured::{Correctors, solve_structured};
+pub use structured::{Start, solve_structured};
 pub use violation::Violation;
 pub use widening::needed_widening;
 

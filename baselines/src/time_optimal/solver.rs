@@ -5,7 +5,7 @@ use super::conic::solve_conic;
 use super::error::OptimumError;
 use super::piece::PieceProgram;
 use super::repair::{feasible_time, repair};
-use super::structured::{Correctors, solve_structured};
+use super::structured::{Start, solve_structured};
 use super::{GAP_TOLERANCE, SolvedPiece};
 use crate::outward::Outward;
 use std::fmt;
@@ -14,7 +14,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Solver {
     /// The interior point on the tridiagonal Newton matrix ([`super::solve_structured`]); where its answer is not certified it is
-    /// asked again with Gondzio's correctors, and after that [`Solver::Conic`] is asked.
+    /// asked again from a profile inside all rows and with Gondzio's correctors, and after that [`Solver::Conic`] is asked.
     #[default]
     Structured,
     /// Clarabel on the second-order cone program ([`solve_conic`]).
@@ -65,7 +65,7 @@ pub struct Attempt {
 /// What to run, in this order, until the bounds are close enough.
 #[derive(Clone, Copy)]
 enum Run {
-    Structured(Correctors),
+    Structured(Start),
     Conic,
 }
 
@@ -73,7 +73,7 @@ impl Solver {
     fn runs(self) -> &'static [Run] {
         match self {
             Self::Structured => {
-                &[Run::Structured(Correctors::None), Run::Structured(Correctors::Two), Run::Conic]
+                &[Run::Structured(Start::Greedy), Run::Structured(Start::Inside), Run::Conic]
             }
             Self::Conic => &[Run::Conic],
         }
@@ -126,7 +126,7 @@ impl Run {
 
     fn solve(self, program: &PieceProgram) -> Result<SolverAnswer, OptimumError> {
         match self {
-            Self::Structured(correctors) => Ok(solve_structured(program, correctors)),
+            Self::Structured(start) => Ok(solve_structured(program, start)),
             Self::Conic => solve_conic(program),
         }
     }

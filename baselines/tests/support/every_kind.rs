@@ -11,7 +11,7 @@ pub(crate) enum Kind {
     Accelerations,
     /// Torques with gravity of either sign.
     Torques,
-    /// Torques within a thousandth of what no profile keeps.
+    /// Torques with all but a thousandth of the gravity that a profile just bears.
     NearlyInfeasible,
     /// Accelerations of different size upwards and downwards.
     Asymmetric,
@@ -96,7 +96,7 @@ fn nearly_infeasible(path: &SampledPath, seed: u64) -> SampledPath {
         let share = 0.5 * (bears + fails);
         if reachable_profile(&torques(path, seed, share)).is_ok() { bears = share } else { fails = share }
     }
-    torques(path, seed, bears)
+    torques(path, seed, 0.999 * bears)
 }
 
 fn asymmetric(path: &mut SampledPath, numbers: &mut Numbers) {

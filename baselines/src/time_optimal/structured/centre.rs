@@ -14,7 +14,7 @@ use super::step::{Lengths, Reach, SHRINK, Sums};
 
 /// Gondzio correctors a step of the structured solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Correctors {
+pub(super) enum Correctors {
     /// Mehrotra's alone.
     None,
     /// Up to two more.
@@ -26,6 +26,14 @@ impl Correctors {
         match self {
             Self::None => 0,
             Self::Two => 2,
+        }
+    }
+
+    /// Steps without a gain of a tenth after which the loop ends.
+    pub(super) fn patience(self) -> u32 {
+        match self {
+            Self::None => 12,
+            Self::Two => 40,
         }
     }
 }

@@ -22,17 +22,17 @@ mod scratch;
 mod state;
 mod step;
 
-pub use centre::Correctors;
-
 use super::interval::IntervalProgram;
 use super::piece::PieceProgram;
+use super::repair::inner_profile;
 use super::solver::SolverAnswer;
+use centre::Correctors;
 use iterate::{Best, iterate};
 use rows::KeptRows;
 use state::State;
 use std::time::Instant;
 
-/// Slack at the greedy profile, as a share of half the limit's range, up to which a row is kept.
+/// Slack at the start's profile, as a share of half the limit's range, up to which a row is kept.
 const NEAR: f64 = 0.5;
 
 /// The same at an answer that breaks a row.
@@ -41,27 +41,27 @@ const BROKEN: f64 = 0.1;
 /// Rounds of adding broken rows; the last takes all rows.
 const ROUNDS: usize = 6;
 
-/// The start as a share of the greedy profile.
-const SHARE: f64 = 0.97;
-
-/// Least slack of the start, as a share of the cap or in the row's units (half the limit's range is between 1 and 2).
-const FLOOR: f64 = 0.03;
-
-/// Sum of the products `s z` at the start, as a share of the travel time.
-const GAP: f64 = 0.1;
+/// Where the steps begin, and how many correctors they take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// A little below the greedy profile, slacks as large as they should be rather than as they are; Mehrotra's corrector alone.
+    Greedy,
+    /// A profile inside all rows, so that no row is ever broken by more than rounding; two further correctors. For thin feasible
+    /// sets, where the first way leaves the rows broken.
+    Inside,
+}
 
 /// Solves the program in its own structure. Any answer is returned as it is, with the loop's ending as status: it is for the
 /// certificate to judge.
 #[must_use]
-pub fn solve_structured(program: &PieceProgram, correctors: Correctors) -> SolverAnswer {
+pub fn solve_structured(program: &PieceProgram, start: Start) -> SolverAnswer {
     let begin = Instant::now();
-    let greedy = forward(program);
+    let beginning = Beginning::new(program, start);
     let mut rows = KeptRows::default();
-    rows.keep(program, &greedy, NEAR);
-    let mut steps = 0;
-    let mut round = 1;
+    rows.keep(program, &beginning.profile, beginning.near);
+    let (mut steps, mut round) = (0, 1);
     let best = loop {
-        let best = solve(program, &rows, &greedy, correctors);
+        let best = beginning.solve(program, &rows);
         steps += best.steps;
         if round == ROUNDS || program.largest_excess(&best.x) <= 0.0 {
             break best;
@@ -81,10 +81,54 @@ pub fn solve_structured(program: &PieceProgram, correctors: Correctors) -> Solve
     }
 }
 
-fn solve(program: &PieceProgram, rows: &KeptRows, greedy: &[f64], correctors: Correctors) -> Best {
-    let free = program.free();
-    let x = greedy.iter().enumerate().map(|(k, x)| if free.contains(&k) { SHARE * x } else { *x }).collect();
-    iterate(&mut State::new(program, rows, x, FLOOR, GAP), correctors)
+/// What the steps begin with.
+struct Beginning {
+    /// The profile by which rows are chosen.
+    profile: Vec<f64>,
+    near: f64,
+    /// The start as a share of it.
+    share: f64,
+    /// Least slack, as a share of the cap or in the row's units (half the limit's range is between 1 and 2).
+    floor: f64,
+    /// Sum of the products `s z`, as a share of the travel time.
+    gap: f64,
+    correctors: Correctors,
+}
+
+impl Beginning {
+    fn new(program: &PieceProgram, start: Start) -> Self {
+        let greedy = Self {
+            profile: forward(program),
+            near: NEAR,
+            share: 0.97,
+            floor: 0.03,
+            gap: 0.1,
+            correctors: Correctors::None,
+        };
+        let inside = match start {
+            Start::Greedy => None,
+            Start::Inside => inner_profile(program).ok(),
+        };
+        match inside {
+            Some(profile) => Self {
+                gap: (-program.largest_excess(&profile)).clamp(1e-6, 0.1),
+                profile,
+                near: f64::INFINITY,
+                share: 1.0 - 1e-3,
+                floor: 1e-12,
+                correctors: Correctors::Two,
+            },
+            None if start == Start::Inside => Self { near: f64::INFINITY, correctors: Correctors::Two, ..greedy },
+            None => greedy,
+        }
+    }
+
+    fn solve(&self, program: &PieceProgram, rows: &KeptRows) -> Best {
+        let free = program.free();
+        let x = self.profile.iter().enumerate();
+        let x = x.map(|(k, x)| if free.contains(&k) { self.share * x } else { *x }).collect();
+        iterate(&mut State::new(program, rows, x, self.floor, self.gap), self.correctors)
+    }
 }
 
 /// The greedy profile below the program's proven caps, as a start: from the greatest value, the greatest next one. Where that leaves

@@ -1,10 +1,5 @@
 use super::*;
-use super::centre::Correctors;
-use super::iterate::*;
-use super::rows::*;
-use super::state::*;
 use crate::time_optimal::*;
-use crate::time_optimal::reachability::greedy;
 #[path = "../../../tests/support/mod.rs"]
 #[allow(unused)]
 mod support;
@@ -19,7 +14,7 @@ fn ipm() {
         let p = PieceProgram::new(&path, 0).unwrap();
         let t = Instant::now(); let _ = std::hint::black_box(reachable_profile(&path)); sweep.push(t.elapsed().as_secs_f64());
         let t = Instant::now();
-        let a = solve_structured(&p, Correctors::None);
+        let a = solve_structured(&p, Start::Greedy);
         times.push(t.elapsed().as_secs_f64());
         steps.push(a.iterations); nrows.push(a.multipliers.iter().filter(|m| **m != 0.0).count());
         let e = p.largest_excess(&a.b);
