@@ -93,7 +93,9 @@ pub(crate) struct OptimumEntry {
     /// Whether the gap is small enough for the answer to count.
     pub(crate) certified: bool,
     pub(crate) grid_points: usize,
-    /// What the solver said; it decides nothing.
+    /// The solver whose answer the bounds are from: `structured` or `conic`, or both where pieces differ.
+    pub(crate) solver: String,
+    /// What it said; it decides nothing.
     pub(crate) status: String,
     pub(crate) iterations: u32,
     pub(crate) solve_s: f64,
@@ -239,9 +241,11 @@ impl MethodEntry {
 impl OptimumEntry {
     pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
         let optimum = &solved.optimum;
-        let mut status: Vec<&str> = optimum.status.iter().map(String::as_str).collect();
-        status.sort_unstable();
-        status.dedup();
+        let distinct = |mut names: Vec<String>| {
+            names.sort_unstable();
+            names.dedup();
+            names.join(", ")
+        };
         Self {
             duration_s: optimum.duration_s,
             lower_s: optimum.lower_s,
@@ -249,7 +253,8 @@ impl OptimumEntry {
             gap: optimum.gap(),
             certified: optimum.is_certified(),
             grid_points: optimum.grid_points,
-            status: status.join(", "),
+            solver: distinct(optimum.solvers.iter().map(ToString::to_string).collect()),
+            status: distinct(optimum.status.clone()),
             iterations: optimum.iterations,
             solve_s: optimum.solve_s,
             between_nodes: optimum.between.into(),

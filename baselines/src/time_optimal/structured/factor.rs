@@ -15,7 +15,7 @@
 //!
 //! In the middle form two numbers of the size `q c²` cancel down to `ρ`: `q` grows as `1/μ`, `ρ` falls with the interval, and the pivot loses its
 //! sign. In the last form only positive numbers are added: it is what square-root-free Givens rotations of the weighted rows
-//! give ([G73]), in closed form and with one division per interval instead of one per row. An error of `β` enters `P` by
+//! give ([G73]), in closed form and with the divisions of an interval instead of those of every row. An error of `β` enters `P` by
 //! its square alone, for `β` minimises it.
 
 /// The sums of one interval.
@@ -46,10 +46,12 @@ impl Factor {
         let mut left = diagonal[0];
         let mut least = left;
         for (block, next) in blocks.iter().zip(&diagonal[1..]) {
-            let inverse = 1.0 / (left + block.near);
+            let pivot = left + block.near;
+            let inverse = 1.0 / pivot;
             self.inverse.push(inverse);
             self.below.push(block.cross * inverse);
-            left = next + block.rest + block.carried * (left * inverse);
+            // A second division beside the first: the chain from node to node is shorter by a product.
+            left = (next + block.rest) + block.carried * (left / pivot);
             // Not a number fails both comparisons and stays.
             least = if left >= least { least } else { left };
         }

@@ -55,7 +55,6 @@ pub(super) fn iterate(state: &mut State, correctors: Correctors) -> Best {
     loop {
         let measure = state.assess();
         let distance = measure.distance();
-        if std::env::var("STRACE").is_ok() { let rp = state.rows.rows.iter().map(|r| r.pair.residual.abs()).fold(0.0, f64::max); eprintln!("{} T {:.6e} L {:.6e} excess {:.2e} prod {:.2e} rp {rp:.1e}", best.steps, measure.time, measure.lower, measure.excess, measure.products / measure.time); }
         if !distance.is_finite() {
             best.ending = Ending::Broken;
             break;
@@ -80,7 +79,6 @@ pub(super) fn iterate(state: &mut State, correctors: Correctors) -> Best {
             best.ending = Ending::Broken;
             break;
         };
-        if std::env::var("STRACE").is_ok() { eprintln!("   {lengths:?}"); }
         centre.advance(state, lengths);
     }
     best

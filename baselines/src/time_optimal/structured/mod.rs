@@ -19,6 +19,8 @@ mod pair;
 mod rows;
 #[cfg(test)]
 mod scratch;
+#[cfg(test)]
+mod tests;
 mod state;
 mod step;
 

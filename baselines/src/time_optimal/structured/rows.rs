@@ -36,42 +36,40 @@ pub(super) struct KeptRows {
     pub(super) rows: Vec<KeptRow>,
     /// Rows of interval `k` are `first[k]..first[k + 1]`.
     pub(super) first: Vec<usize>,
-    /// For each row of the program, in its order, true if it is kept. Empty at the beginning: none is.
-    is_kept: Vec<bool>,
 }
 
 impl KeptRows {
     /// Keeps the rows whose slack at a profile is below `share` of their half range, beside those already kept. Returns how many are new.
     pub(super) fn keep(&mut self, program: &PieceProgram, profile: &[f64], share: f64) -> usize {
-        self.is_kept.resize(2 * program.strips.len(), false);
-        let before = self.rows.len();
-        (self.rows.clear(), self.first.clear());
+        let before = std::mem::take(&mut self.rows);
+        let mut kept = before.iter().map(|row| row.number).peekable();
+        self.first.clear();
         self.first.push(0);
-        let (mut place, mut number) = (0, 0);
+        let mut number = 0;
         let free = program.free();
-        let is_free = |node: usize| free.contains(&node);
         for (k, ends) in profile.windows(2).enumerate() {
+            let is_free = [free.contains(&k), free.contains(&(k + 1))];
             for strip in program.interval(k) {
                 let value = strip.before * ends[0] + strip.after * ends[1];
                 let margin = share * strip.half_range();
                 for (side, room, bound) in
                     [(Side::Upper, strip.upper - value, strip.upper), (Side::Lower, value - strip.lower, strip.lower)]
                 {
-                    if !bound.is_finite() {
-                        place += 1;
+                    if bound.is_infinite() {
                         continue;
                     }
-                    let keep = self.is_kept[place] || !(room > margin);
-                    self.is_kept[place] = keep;
-                    if keep && let Some(row) = strip.row(k, side) {
-                        self.rows.extend(reduced(program, row, [is_free(k), is_free(k + 1)], number));
+                    let was_kept = kept.next_if_eq(&number).is_some();
+                    if (was_kept || !(room > margin))
+                        && let Some(row) = strip.row(k, side)
+                    {
+                        self.rows.extend(reduced(program, row, is_free, number));
                     }
-                    (place, number) = (place + 1, number + 1);
+                    number += 1;
                 }
             }
             self.first.push(self.rows.len());
         }
-        self.rows.len() - before.min(self.rows.len())
+        self.rows.len() - before.len()
     }
 
     /// Multipliers of all the program's rows, zero where a row is left out.
@@ -85,14 +83,13 @@ impl KeptRows {
 }
 
 /// The row without its given ends; none if nothing is left of it.
-#[allow(clippy::cast_possible_truncation, reason = "a row takes 40 bytes of the program: numbers stay below 2^32")]
-fn reduced(program: &PieceProgram, row: Row, is_free: [bool; 2], number: usize) -> Option<KeptRow> {
+fn reduced(program: &PieceProgram, row: Row, is_free: [bool; 2], number: u32) -> Option<KeptRow> {
     let mut kept = KeptRow {
         before: row.before,
         after: row.after,
         bound: row.bound,
         pair: Pair::default(),
-        number: number as u32,
+        number,
     };
     if !is_free[0] {
         kept.bound -= kept.before * program.cap[row.interval];
