@@ -6,5 +6,3 @@ pub mod projection;
 pub mod rivals;
 pub mod safety_filter;
 pub mod time_optimal;
-#[cfg(test)]
-extern crate self as slideway_baselines;

@@ -95,7 +95,8 @@ fn each_piece_names_its_solver_and_the_times_add_up() {
 fn under_speed_limits_alone_the_caps_are_the_answer() {
     let path = SampledPath { acceleration: None, ..straight(1.0, 0.5, 1.0, 20) };
     let optimum = time_optimum(&path).expect("solvable");
-    assert!(by_structured_alone(&optimum) && optimum.gap() <= 1e-14, "{}", optimum.gap());
+    // Twenty intervals, some ten outward roundings each.
+    assert!(by_structured_alone(&optimum) && optimum.gap() <= 400.0 * f64::EPSILON, "{}", optimum.gap());
 }
 
 #[test]

@@ -1,14 +1,20 @@
 //! The loop: steps until the certificate closes, the best iterate kept.
 //!
-//! The measure of an iterate is its own certificate in ordinary arithmetic, `δ = |T - L| / T + excess`: complementarity alone goes on falling
-//! where the dual residual already climbs. The loop ends at the target, at 100 times the best `δ` (once it was below
-//! 1e-3), or after 12 steps (40 from inside) that gain less than a tenth.
+//! The measure of an iterate is its own certificate in ordinary arithmetic, `δ = max(|T - L|, Σ s z) / T + excess`: complementarity alone goes on
+//! falling where the dual residual already climbs. The loop ends at the target, at 100 times the best `δ` (once it was below
+//! 1e-5), or after 12 steps (40 from inside) that gain less than a tenth.
 
 use super::centre::{Centre, Correctors};
 use super::state::State;
 
 /// Relative distance of the bounds at which the loop ends, a hundredth of what is accepted.
 pub(super) const TARGET: f64 = 1e-8;
+
+/// Distance that is rounding: what is left of the rows' excess there is for the repair.
+const ROUNDING: f64 = 1e-12;
+
+/// Distance below which getting worse is a sign of rounding, not of centring.
+const CLOSE: f64 = 1e-5;
 
 /// Steps at the most.
 const MOST: u32 = 100;
@@ -62,12 +68,13 @@ pub(super) fn iterate(state: &mut State, correctors: Correctors) -> Best {
         if distance < best.distance {
             best.keep(state, distance);
         }
-        if measure.excess <= 0.0 && measure.time - measure.lower <= TARGET * measure.lower {
+        let is_closed = measure.excess <= 0.0 && measure.time - measure.lower <= TARGET * measure.lower;
+        if is_closed || distance <= ROUNDING {
             best.ending = Ending::Solved;
             break;
         }
         (mark, waited) = if distance < 0.9 * mark { (distance, 0) } else { (mark, waited + 1) };
-        if waited > correctors.patience() || (best.distance < 1e-3 && distance > 100.0 * best.distance) {
+        if waited > correctors.patience() || (best.distance < CLOSE && distance > 100.0 * best.distance) {
             best.ending = Ending::Stalled;
             break;
         }

@@ -17,12 +17,10 @@ mod factor;
 mod iterate;
 mod pair;
 mod rows;
-#[cfg(test)]
-mod scratch;
-#[cfg(test)]
-mod tests;
 mod state;
 mod step;
+#[cfg(test)]
+mod tests;
 
 use super::interval::IntervalProgram;
 use super::piece::PieceProgram;

@@ -49,9 +49,12 @@ pub(super) struct Measure {
 }
 
 impl Measure {
-    /// Relative distance of the bounds plus the excess.
+    /// The larger of the relative distance of the bounds and the sum of the products, plus the excess: outside the rows the bounds may
+    /// cross, and their distance alone would vanish there.
     pub(super) fn distance(&self) -> f64 {
-        (self.time - self.lower).abs() / self.time + self.excess
+        let apart = (self.time - self.lower).abs();
+        // Written so that not a number stays one.
+        (if apart <= self.products { self.products } else { apart }) / self.time + self.excess
     }
 }
 
