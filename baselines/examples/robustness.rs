@@ -65,7 +65,9 @@ impl Counts {
 
 fn report(kinds: &mut BTreeMap<String, Counts>) -> ExitCode {
     let mut left = 0;
-    println!("kind: programs, errors, certified at once, with correctors, by Clarabel, by none; steps median, most; widest gap");
+    println!(
+        "kind: programs, errors, certified at once, with correctors, by Clarabel, by none; steps median, most; widest gap"
+    );
     for (kind, counts) in kinds {
         counts.steps.sort_unstable();
         let [once, correctors, conic, none] = counts.by;

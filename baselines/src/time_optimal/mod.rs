@@ -150,8 +150,7 @@ pub fn time_optimum(path: &SampledPath) -> Result<TimeOptimum, OptimumError> {
 ///
 /// As [`time_optimum`].
 pub fn time_optimum_by(path: &SampledPath, solver: Solver) -> Result<TimeOptimum, OptimumError> {
-    let parts: Result<Vec<_>, _> =
-        (0..path.pieces.len()).map(|index| solve_piece(path, index, &[], solver)).collect();
+    let parts: Result<Vec<_>, _> = (0..path.pieces.len()).map(|index| solve_piece(path, index, &[], solver)).collect();
     Ok(TimeOptimum::of(path, parts?))
 }
 

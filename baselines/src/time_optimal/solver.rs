@@ -72,9 +72,7 @@ enum Run {
 impl Solver {
     fn runs(self) -> &'static [Run] {
         match self {
-            Self::Structured => {
-                &[Run::Structured(Start::Greedy), Run::Structured(Start::Inside), Run::Conic]
-            }
+            Self::Structured => &[Run::Structured(Start::Greedy), Run::Structured(Start::Inside), Run::Conic],
             Self::Conic => &[Run::Conic],
         }
     }

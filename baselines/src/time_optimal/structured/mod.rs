@@ -139,7 +139,13 @@ fn forward(program: &PieceProgram) -> Vec<f64> {
         let cap = program.cap[k + 1];
         let next = IntervalProgram::greatest_after(program.interval(k), profile[k]).min(cap);
         let is_given = !program.free().contains(&(k + 1));
-        profile.push(if is_given { cap } else if next > 1e-9 * cap { next } else { 0.5 * cap });
+        profile.push(if is_given {
+            cap
+        } else if next > 1e-9 * cap {
+            next
+        } else {
+            0.5 * cap
+        });
     }
     profile
 }

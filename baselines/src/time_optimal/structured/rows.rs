@@ -84,13 +84,7 @@ impl KeptRows {
 
 /// The row without its given ends; none if nothing is left of it.
 fn reduced(program: &PieceProgram, row: Row, is_free: [bool; 2], number: u32) -> Option<KeptRow> {
-    let mut kept = KeptRow {
-        before: row.before,
-        after: row.after,
-        bound: row.bound,
-        pair: Pair::default(),
-        number,
-    };
+    let mut kept = KeptRow { before: row.before, after: row.after, bound: row.bound, pair: Pair::default(), number };
     if !is_free[0] {
         kept.bound -= kept.before * program.cap[row.interval];
         kept.before = 0.0;

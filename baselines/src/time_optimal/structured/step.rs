@@ -27,7 +27,10 @@ impl Reach {
     /// `(α_p, α_d)` that leave every slack and multiplier the share `1 - fraction` of itself.
     pub(super) fn lengths(&self, fraction: f64) -> Lengths {
         let within = |decrease: f64, most: f64| if decrease > most { most / decrease } else { 1.0 };
-        Lengths { primal: within(self.primal, fraction).min(within(self.node, SHRINK)), dual: within(self.dual, fraction) }
+        Lengths {
+            primal: within(self.primal, fraction).min(within(self.node, SHRINK)),
+            dual: within(self.dual, fraction),
+        }
     }
 }
 
@@ -59,8 +62,7 @@ impl Sums {
     /// `Σ (s + α_p ds)(z + α_d dz) = (1 - α_d) Σ s z + (α_d - α_p) Σ z w + α_p α_d Σ ds dz`.
     pub(super) fn centring(&self, along: Lengths) -> f64 {
         let Lengths { primal, dual } = along;
-        let after =
-            (1.0 - dual) * self.product + (dual - primal) * self.weighted + primal * dual * self.second;
+        let after = (1.0 - dual) * self.product + (dual - primal) * self.weighted + primal * dual * self.second;
         (after / self.product).max(0.0).powi(3).min(1.0)
     }
 }
