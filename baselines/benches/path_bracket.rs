@@ -6,7 +6,7 @@
 use rustix::time::{ClockId, clock_gettime};
 use slideway_baselines::path_bracket::{BracketOptions, End, JointLimits, JointPath, JointPathProblem, PathBracket};
 use slideway_baselines::time_optimal::time_optimum;
-use slideway_lab::{EndRate, PathSample, SampledPath, SampledPiece};
+use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 
 const GAPS: [f64; 3] = [1e-4, 1e-5, 1e-6];
 const INTERVALS: usize = 1000;

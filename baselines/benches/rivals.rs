@@ -1,12 +1,12 @@
-//! Both solvers beside the crate `copp` on one random spline of 7 joints, in one run, from samples of the path to the profile;
-//! ours with its certificate.
+//! The sweep and both solvers of the optimum beside the crate `copp` on one random spline of 7 joints, in one run, from samples of the
+//! path to the profile; ours with its certificate.
 
 use copp::robot::Robot;
 use copp::solver::copp2_socp::{ClarabelOptionsBuilder, Copp2ProblemBuilder, CoppObjective, copp2_socp};
 use copp::solver::topp2_ra::{ReachSet2OptionsBuilder, Topp2ProblemBuilder, topp2_ra};
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::DMatrix;
-use slideway_baselines::time_optimal::{reachable_profile, time_optimum};
+use slideway_baselines::time_optimal::{Solver, reachable_profile, time_optimum_by};
 use slideway_path::SampledPath;
 use std::hint::black_box;
 use support::RandomSpline;
@@ -62,12 +62,15 @@ fn rivals(c: &mut Criterion) {
             b.iter(|| reachability(&robot(black_box(path)), intervals))
         });
         group.finish();
-        let mut group = c.benchmark_group("conic");
+        let mut group = c.benchmark_group("optimum");
         group.sample_size(10);
-        group.bench_with_input(BenchmarkId::new("slideway-certified", intervals), &path, |b, path| {
-            b.iter(|| time_optimum(black_box(path)))
-        });
-        group.bench_with_input(BenchmarkId::new("copp", intervals), &rival, |b, rival| {
+        for solver in [Solver::Structured, Solver::Conic] {
+            let name = format!("slideway-{solver}-certified");
+            group.bench_with_input(BenchmarkId::new(name, intervals), &path, |b, path| {
+                b.iter(|| time_optimum_by(black_box(path), solver))
+            });
+        }
+        group.bench_with_input(BenchmarkId::new("copp-conic", intervals), &rival, |b, rival| {
             b.iter(|| conic(black_box(rival), intervals))
         });
         group.finish();

@@ -92,6 +92,11 @@ impl Neg for Outward {
 impl Mul for Outward {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
+        if other.lo == other.hi {
+            // By a point there are two products instead of four, and its sign says which is which.
+            let ends = if other.lo >= 0.0 { [self.lo, self.hi] } else { [self.hi, self.lo] };
+            return Self::widened(ends[0] * other.lo, ends[1] * other.lo);
+        }
         let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
         if products.iter().any(|p| p.is_nan()) {
             return Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
@@ -146,6 +151,20 @@ mod tests {
             assert!(root.hi - root.lo <= 4e-15 * root.hi + 1e-99, "{x}: {root:?}");
         }
         assert_eq!(Outward::exact(-1.0).cbrt().lo, 0.0);
+    }
+
+    #[test]
+    fn a_product_by_a_point_is_that_of_all_four_ends() {
+        for (lo, hi) in [(1.0, 2.0), (-3.0, 2.0), (-3.0, -1.0)] {
+            for factor in [1.7, -1.7] {
+                let product = Outward { lo, hi } * Outward::exact(factor);
+                let ends = [lo * factor, hi * factor];
+                assert_eq!(product.lo, ends[0].min(ends[1]).next_down());
+                assert_eq!(product.hi, ends[0].max(ends[1]).next_up());
+            }
+        }
+        let everything = Outward { lo: f64::NEG_INFINITY, hi: f64::INFINITY } * Outward::ZERO;
+        assert_eq!((everything.lo, everything.hi), (f64::NEG_INFINITY, f64::INFINITY));
     }
 
     #[test]

@@ -21,9 +21,9 @@ pub fn lower_bound(program: &PieceProgram, profile: &[f64], multipliers: &[f64])
     for k in program.free() {
         bound = bound - slope[k] * Outward::exact(profile[k]);
     }
-    for (row, &multiplier) in program.rows().zip(multipliers) {
-        // NaN counts as 0 too: `max` returns the number.
-        let mu = Outward::exact(multiplier.max(0.0));
+    // A row without a multiplier adds exactly nothing; NaN fails the comparison and counts as 0 too.
+    for (row, &multiplier) in program.rows().zip(multipliers).filter(|(_, multiplier)| **multiplier > 0.0) {
+        let mu = Outward::exact(multiplier);
         bound = bound - mu * Outward::exact(row.bound);
         slope[row.interval] = slope[row.interval] + mu * Outward::exact(row.before);
         slope[row.interval + 1] = slope[row.interval + 1] + mu * Outward::exact(row.after);

@@ -1,23 +1,9 @@
 use super::error::OptimumError;
 use super::piece::PieceProgram;
+use super::solver::SolverAnswer;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SupportedConeT};
 use std::time::Instant;
-
-/// What the solver answers. None of it is believed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConicAnswer {
-    /// The profile `x` at all nodes.
-    pub b: Vec<f64>,
-    /// Multipliers of the program's rows, in their order, as the solver gives them; 0 for rows that follow from others.
-    pub multipliers: Vec<f64>,
-    /// The solver's status.
-    pub status: String,
-    /// Iterations.
-    pub iterations: u32,
-    /// Wall-clock time for setting up and solving, s.
-    pub solve_s: f64,
-}
 
 /// Solver tolerance: the certificate closes to 1e-7 and better with it, and at 1e-9 the solver ends without meeting it.
 const TOLERANCE: f64 = 1e-8;
@@ -31,7 +17,7 @@ const TOLERANCE: f64 = 1e-8;
 /// # Errors
 ///
 /// The solver refuses the data. Any status is returned as it is.
-pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> {
+pub fn solve_conic(program: &PieceProgram) -> Result<SolverAnswer, OptimumError> {
     let start = Instant::now();
     let layout = Layout::new(program);
     let mut build = Build::default();
@@ -69,7 +55,7 @@ pub fn solve_conic(program: &PieceProgram) -> Result<ConicAnswer, OptimumError> 
     let mut solved = solution.z[free.len()..linear].iter();
     let multipliers =
         border.iter().map(|&used| if used { solved.next().copied() } else { None }.unwrap_or(0.0)).collect();
-    Ok(ConicAnswer {
+    Ok(SolverAnswer {
         b,
         multipliers,
         status: format!("{:?}", solution.status),

@@ -15,8 +15,10 @@
 //! The path comes in smooth pieces. Unless the caller says otherwise, under speed limits alone each piece is free at its
 //! ends; under other limits each begins and ends at rest, for between pieces the joint path has a corner.
 //!
-//! Two solvers work on the same rows. [`time_optimum`] solves the conic program and certifies it. [`reachable_profile`] sweeps over
-//! the grid with two-variable linear programs: a thousand times faster, feasible, not quite optimal.
+//! [`time_optimum`] solves the program and certifies it: by an interior point on the tridiagonal Newton matrix ([`Solver`]), by
+//! Clarabel on the second-order cone program where that is asked for or the certificate does not close.
+//! [`reachable_profile`] works on the same rows and sweeps over the grid with two-variable linear programs: faster, feasible, not
+//! quite optimal.
 //!
 //! Nothing here believes the solver: its answer is repaired until every limit holds at the nodes in a re-check (an upper
 //! bound), its multipliers are turned into a lower bound that is valid whatever they are, and the answer is accepted if the
@@ -33,18 +35,22 @@ mod piece;
 mod reachability;
 mod refine;
 mod repair;
+mod solver;
 mod strip;
+mod structured;
 mod violation;
 mod widening;
 
 pub use certificate::lower_bound;
-pub use conic::{ConicAnswer, solve_conic};
+pub use conic::solve_conic;
 pub use error::OptimumError;
 pub use piece::{ExtraSample, PieceProgram};
 pub use reachability::{ROW_TOLERANCE, ReachableProfile, reachable_profile};
-pub use refine::{Refined, refine_optimum, refine_profile};
+pub use refine::{Refined, refine_optimum, refine_optimum_by, refine_profile};
 pub use repair::{feasible_time, repair};
+pub use solver::{Attempt, Solver, SolverAnswer};
 pub use strip::{Row, RowSource, Strip};
+pub use structured::{Start, solve_structured};
 pub use violation::Violation;
 pub use widening::needed_widening;
 
@@ -62,12 +68,16 @@ pub struct TimeOptimum {
     pub upper_s: f64,
     /// Nodes of the grid, all pieces together.
     pub grid_points: usize,
-    /// What the solver said, piece by piece: reported, not believed.
+    /// The solver whose answer the bounds are from, piece by piece.
+    pub solvers: Vec<Solver>,
+    /// Its status, piece by piece: reported, not believed.
     pub status: Vec<String>,
-    /// Iterations of the solver, all pieces together.
+    /// Iterations, all attempts and pieces together.
     pub iterations: u32,
-    /// Time spent in the solver, s.
+    /// Time spent in solvers, all attempts and pieces together, s.
     pub solve_s: f64,
+    /// Every run of a solver, in order: more than one a piece where an answer was not certified.
+    pub attempts: Vec<Attempt>,
     /// Largest violation of a limit between grid points.
     pub between: Violation,
     /// The profile.
@@ -124,18 +134,24 @@ impl TimeOptimum {
     }
 }
 
-/// Solves and certifies the time optimum along a sampled joint path.
+/// Solves and certifies the time optimum along a sampled joint path, by the structured solver first.
 ///
 /// # Errors
 ///
 /// The path does not move, a number is not usable, no profile keeps the limits (with the limit, the place and by how much), or
 /// the solver's answer cannot be repaired.
 pub fn time_optimum(path: &SampledPath) -> Result<TimeOptimum, OptimumError> {
-    let mut parts = Vec::new();
-    for index in 0..path.pieces.len() {
-        parts.push(solve_piece(path, index, &[])?);
-    }
-    Ok(TimeOptimum::of(path, parts))
+    time_optimum_by(path, Solver::default())
+}
+
+/// As [`time_optimum`], by a solver of choice.
+///
+/// # Errors
+///
+/// As [`time_optimum`].
+pub fn time_optimum_by(path: &SampledPath, solver: Solver) -> Result<TimeOptimum, OptimumError> {
+    let parts: Result<Vec<_>, _> = (0..path.pieces.len()).map(|index| solve_piece(path, index, &[], solver)).collect();
+    Ok(TimeOptimum::of(path, parts?))
 }
 
 /// One piece, solved and certified.
@@ -143,39 +159,37 @@ pub(crate) struct SolvedPiece {
     b: Vec<f64>,
     lower: Outward,
     upper: Outward,
-    answer: ConicAnswer,
+    solver: Solver,
+    status: String,
+    attempts: Vec<Attempt>,
 }
 
 pub(crate) fn solve_piece(
     path: &SampledPath,
     index: usize,
     extra: &[ExtraSample],
+    solver: Solver,
 ) -> Result<SolvedPiece, OptimumError> {
-    let program = PieceProgram::sampled(path, index, extra)?.bounded(path)?;
-    let answer = solve_conic(&program)?;
-    let profile = repair(&program, &answer.b)?;
-    Ok(SolvedPiece {
-        b: program.in_units(&profile),
-        lower: lower_bound(&program, &profile, &answer.multipliers),
-        upper: feasible_time(&program, &profile),
-        answer,
-    })
+    solver.certify(&PieceProgram::sampled(path, index, extra)?.bounded(path)?)
 }
 
 impl TimeOptimum {
-    fn of(path: &SampledPath, parts: Vec<SolvedPiece>) -> Self {
-        let sum = |of: fn(&SolvedPiece) -> Outward| parts.iter().map(of).fold(Outward::ZERO, |sum, time| sum + time);
-        let (lower, upper) = (sum(|p| p.lower), sum(|p| p.upper));
+    fn of(path: &SampledPath, mut parts: Vec<SolvedPiece>) -> Self {
+        let (lower, upper) = (SolvedPiece::sum(&parts, |p| p.lower), SolvedPiece::sum(&parts, |p| p.upper));
         let violations = parts.iter().enumerate().map(|(index, p)| Violation::new(path, index, &p.b));
+        let between = violations.fold(Violation::default(), Violation::worst);
+        let attempts: Vec<Attempt> = parts.iter_mut().flat_map(|p| std::mem::take(&mut p.attempts)).collect();
         Self {
             duration_s: 0.5 * (upper.lo + upper.hi),
             lower_s: lower.lo,
             upper_s: upper.hi,
             grid_points: path.pieces.iter().map(|p| p.nodes.len()).sum(),
-            status: parts.iter().map(|p| p.answer.status.clone()).collect(),
-            iterations: parts.iter().map(|p| p.answer.iterations).sum(),
-            solve_s: parts.iter().map(|p| p.answer.solve_s).sum(),
-            between: violations.fold(Violation::default(), Violation::worst),
+            solvers: parts.iter().map(|p| p.solver).collect(),
+            status: parts.iter().map(|p| p.status.clone()).collect(),
+            iterations: attempts.iter().map(|a| a.iterations).sum(),
+            solve_s: attempts.iter().map(|a| a.solve_s).sum(),
+            attempts,
+            between,
             pieces: path.pieces.iter().zip(parts).map(|(piece, part)| profile_piece(piece, part.b)).collect(),
         }
     }

@@ -2,7 +2,7 @@ use super::error::OptimumError;
 use super::piece::ExtraSample;
 use super::reachability::{ReachableProfile, reach_piece};
 use super::violation::{Violation, at_samples};
-use super::{TimeOptimum, solve_piece};
+use super::{Solver, TimeOptimum, solve_piece};
 use slideway_path::SampledPath;
 use std::collections::BTreeSet;
 
@@ -33,9 +33,22 @@ const MAX_ROUNDS: usize = 40;
 ///
 /// As [`super::time_optimum`], or the limits stay exceeded.
 pub fn refine_optimum(path: &SampledPath, tolerance: f64) -> Result<Refined<TimeOptimum>, OptimumError> {
+    refine_optimum_by(path, tolerance, Solver::default())
+}
+
+/// As [`refine_optimum`], by a solver of choice.
+///
+/// # Errors
+///
+/// As [`refine_optimum`].
+pub fn refine_optimum_by(
+    path: &SampledPath,
+    tolerance: f64,
+    solver: Solver,
+) -> Result<Refined<TimeOptimum>, OptimumError> {
     let (mut parts, mut rounds, mut added) = (Vec::new(), 0, 0);
     for index in 0..path.pieces.len() {
-        let piece = refine_piece(path, index, tolerance, |extra| solve_piece(path, index, extra), |p| &p.b)?;
+        let piece = refine_piece(path, index, tolerance, |extra| solve_piece(path, index, extra, solver), |p| &p.b)?;
         rounds = piece.rounds.max(rounds);
         added += piece.added;
         parts.push(piece.result);

@@ -59,7 +59,7 @@ fn is_alone(program: &PieceProgram, node: usize) -> bool {
 }
 
 /// A positive profile inside all rows, rounding included.
-fn inner_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumError> {
+pub(super) fn inner_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumError> {
     INSETS
         .iter()
         .filter_map(|&inset| positive_greedy(&program.narrowed(inset)))

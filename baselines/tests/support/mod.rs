@@ -1,6 +1,8 @@
 //! Sampled paths for the tests of the offline optima.
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
+pub(crate) mod every_kind;
+
 use slideway_path::{EndRate, PathSample, SampledPath, SampledPiece};
 
 /// A piece with ends by its limits.

@@ -68,7 +68,7 @@ fn optimum(summary: &SpeedSummary) -> String {
              <dt>grid</dt><dd>{} points; on a grid twice as fine {:.6} s; closed form for speed limits alone {:.6} s</dd>\
              <dt>between grid points</dt><dd>largest violation: {}</dd>\
              <dt>greedy profile</dt><dd>{} by reachability on the same rows: feasible, not the optimum</dd>\
-             <dt>solver</dt><dd>says {}, {} iterations, {:.0} ms; the certificate decides, not the status</dd></dl>\n",
+             <dt>solver</dt><dd>{}, says {}, {} iterations, {:.1} ms; the certificate decides, not the status</dd></dl>\n",
             o.lower_s,
             o.upper_s,
             o.gap,
@@ -78,6 +78,7 @@ fn optimum(summary: &SpeedSummary) -> String {
             o.closed_form_speed_s,
             escape(&o.between_in_words()),
             o.greedy_in_words(),
+            escape(&o.solver),
             escape(&o.status),
             o.iterations,
             1e3 * o.solve_s,

@@ -70,7 +70,7 @@ fn optimum(summary: &SpeedSummary) -> String {
 
 fn optimum_line(name: &str, o: &OptimumEntry) -> String {
     format!(
-        "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, solver says {}, {:.0} ms)\n  \
+        "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, {} solver says {}, {:.1} ms)\n  \
          closed form for speed limits {:.6} s, grid twice as fine {:.6} s, greedy profile {}\n  \
          largest violation between grid points: {}\n",
         o.lower_s,
@@ -78,6 +78,7 @@ fn optimum_line(name: &str, o: &OptimumEntry) -> String {
         if o.certified { "certified" } else { "NOT certified" },
         o.gap,
         o.grid_points,
+        o.solver,
         o.status,
         1e3 * o.solve_s,
         o.closed_form_speed_s,

@@ -46,6 +46,8 @@ pub struct OptimumEntry {
     pub certified: bool,
     /// Grid points.
     pub grid_points: usize,
+    /// The solver that the bounds are from: `structured` or `conic`, or both where pieces differ.
+    pub solver: String,
     /// The solver's own word; it decides nothing.
     pub status: String,
     /// Iterations of the solver.
@@ -174,9 +176,11 @@ impl MethodEntry {
 impl OptimumEntry {
     pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
         let optimum = &solved.optimum;
-        let mut status: Vec<&str> = optimum.status.iter().map(String::as_str).collect();
-        status.sort_unstable();
-        status.dedup();
+        let distinct = |mut names: Vec<String>| {
+            names.sort_unstable();
+            names.dedup();
+            names.join(", ")
+        };
         Self {
             duration_s: optimum.duration_s,
             lower_s: optimum.lower_s,
@@ -184,7 +188,8 @@ impl OptimumEntry {
             gap: optimum.gap(),
             certified: optimum.is_certified(),
             grid_points: optimum.grid_points,
-            status: status.join(", "),
+            solver: distinct(optimum.solvers.iter().map(ToString::to_string).collect()),
+            status: distinct(optimum.status.clone()),
             iterations: optimum.iterations,
             solve_s: optimum.solve_s,
             between_nodes: optimum.between.into(),
