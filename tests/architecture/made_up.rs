@@ -4,8 +4,11 @@ use crate::rules;
 use crate::sources::{Package, packages};
 use std::fs;
 
-/// A workspace of packages, each a name, lines of its manifest and its files under `src`.
-fn workspace(made: &[(&str, &str, &[(&str, &str)])]) -> Vec<Package> {
+/// A package: its name, lines of its manifest and its files under `src`.
+type MadeUp<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
+
+/// A workspace of packages.
+fn workspace(made: &[MadeUp<'_>]) -> Vec<Package> {
     let folder = tempfile::tempdir().expect("a folder");
     let members: Vec<String> = made.iter().map(|(name, _, _)| format!("'{name}'")).collect();
     let root = format!("[workspace]\nmembers = [{}]", members.join(", "));

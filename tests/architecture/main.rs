@@ -22,7 +22,7 @@ fn holds(rule: Rule, open: &[&str]) {
 
 #[test]
 fn libraries_read_no_file_and_know_no_terminal() {
-    holds(rules::values_only, &["crates/lab/", "crates/verify/"]);
+    holds(rules::values_only, &["crates/verify/"]);
 }
 
 #[test]
@@ -47,6 +47,6 @@ fn the_reader_alone_asks_which_kind_a_scenario_is() {
 
 #[test]
 fn no_files_of_a_crate_go_in_a_circle() {
-    let crates = ["crates/conditioner/", "crates/lab/", "crates/motion/", "crates/study/", "crates/verify/"];
+    let crates = ["crates/conditioner/", "crates/motion/", "crates/study/", "crates/verify/"];
     holds(rules::circles, &[&crates[..], &["baselines/", "figures/"]].concat());
 }

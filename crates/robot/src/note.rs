@@ -1,4 +1,4 @@
-use crate::PositionRange;
+use crate::{LimitKind, PositionRange};
 use std::fmt;
 
 /// A remark on how a robot was read, its `Display` a full sentence that names the joint or link.
@@ -143,35 +143,6 @@ pub enum Note {
         /// The principal moments in ascending order, kg m².
         moments: [f64; 3],
     },
-}
-
-/// A limit of a joint's motion or strength.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LimitKind {
-    /// Range of positions.
-    Position,
-    /// Largest speed.
-    Velocity,
-    /// Largest torque or force.
-    Effort,
-    /// Largest acceleration.
-    Acceleration,
-    /// Largest jerk.
-    Jerk,
-}
-
-impl LimitKind {
-    /// The limit's name, in the word of the URDF.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Velocity => "velocity",
-            Self::Effort => "effort",
-            Self::Acceleration => "acceleration",
-            Self::Jerk => "jerk",
-        }
-    }
 }
 
 impl fmt::Display for Note {

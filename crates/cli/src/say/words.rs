@@ -19,7 +19,7 @@ mod tests {
 
     #[test]
     fn the_nearest_name_is_meant_if_a_third_of_its_letters_differ_at_most() {
-        for (name, meant) in [("puma-heli", Some("puma-helix")), ("heilx", Some("helix")), ("h", None), ("", None)] {
+        for (name, meant) in [("puma-heli", Some("puma-helix")), ("helx", Some("helix")), ("h", None), ("", None)] {
             assert_eq!(nearest(name, ["puma-helix", "helix"]), meant, "{name}");
         }
     }

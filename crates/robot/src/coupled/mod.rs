@@ -5,6 +5,7 @@
 
 mod follower;
 mod kinematics;
+mod with_followers;
 
 pub use follower::Follower;
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq)]
 pub struct UrdfError {
     /// The reason.
-    pub fault: UrdfFault,
+    pub fault: Box<UrdfFault>,
     /// The place in the text, where the reason lies in one.
     pub place: Option<UrdfPlace>,
 }
@@ -45,19 +45,19 @@ impl fmt::Display for UrdfError {
 
 impl std::error::Error for UrdfError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        std::error::Error::source(&self.fault)
+        std::error::Error::source(&*self.fault)
     }
 }
 
 impl From<UrdfFault> for UrdfError {
     fn from(fault: UrdfFault) -> Self {
-        Self { fault, place: None }
+        Self { fault: Box::new(fault), place: None }
     }
 }
 
 impl UrdfFault {
     /// The fault at a place; the line is counted once the text is at hand.
     pub(super) fn at(self, bytes: &Range<usize>) -> UrdfError {
-        UrdfError { fault: self, place: Some(UrdfPlace { line: 0, bytes: bytes.clone() }) }
+        UrdfError { fault: Box::new(self), place: Some(UrdfPlace { line: 0, bytes: bytes.clone() }) }
     }
 }

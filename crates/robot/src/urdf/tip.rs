@@ -40,7 +40,7 @@ fn convention(link: &str) -> Option<usize> {
     let is = |name: &&str| {
         link.strip_suffix(name).is_some_and(|rest| rest.is_empty() || rest.ends_with(['_', '-', '/', '.']))
     };
-    CONVENTIONS.iter().position(|name| is(&name))
+    CONVENTIONS.iter().position(is)
 }
 
 /// The links behind the first and the last joint that are sure to be of the arm, the base if there is no joint.

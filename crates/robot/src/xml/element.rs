@@ -1,4 +1,4 @@
-use super::XmlFault;
+use super::fault::XmlFault;
 use quick_xml::events::BytesStart;
 use std::ops::Range;
 

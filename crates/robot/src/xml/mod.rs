@@ -1,22 +1,17 @@
 //! The few elements of an XML file that a reader wants, with their places; everything else is passed over unread.
 
 mod element;
+mod fault;
 mod text;
 
 pub(crate) use element::{Attribute, Element};
+pub(crate) use fault::XmlFault;
 pub(crate) use text::{TextFault, read_text};
 
 use quick_xml::Reader;
 use quick_xml::errors::{Error, IllFormedError};
 use quick_xml::events::{BytesStart, Event};
 use std::ops::Range;
-
-/// Why a text is not XML, and where.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct XmlFault {
-    pub(crate) message: String,
-    pub(crate) bytes: Range<usize>,
-}
 
 /// Reads the root and those elements below it for which `wanted(depth, name)` holds, children of the root having depth 1.
 /// What is inside an unwanted element is checked for matching tags and nothing else, however deep it goes.
