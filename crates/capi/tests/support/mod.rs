@@ -1,0 +1,64 @@
+//! Recordings of the core: inputs as a text for the replaying programs, outputs as the text that they must print.
+
+pub mod cases;
+pub mod paths;
+
+/// A recording that grows.
+#[derive(Default)]
+pub struct Recording {
+    /// What a program reads.
+    pub input: String,
+    /// What it must print.
+    pub output: String,
+}
+
+fn bits(text: &mut String, numbers: &[f64]) {
+    for x in numbers {
+        text.push_str(&format!("{:016x} ", x.to_bits()));
+    }
+}
+
+impl Recording {
+    pub fn begin(&mut self, case: &str, counts: &[u32]) {
+        self.input.push_str(case);
+        for count in counts {
+            self.input.push_str(&format!(" {count}"));
+        }
+        self.input.push('\n');
+    }
+
+    pub fn read(&mut self, numbers: &[f64]) {
+        bits(&mut self.input, numbers);
+        self.input.push('\n');
+    }
+
+    pub fn print(&mut self, numbers: &[f64]) {
+        bits(&mut self.output, numbers);
+    }
+
+    pub fn end_line(&mut self, words: &[u32]) {
+        let words: Vec<String> = words.iter().map(u32::to_string).collect();
+        self.output.push_str(&words.join(" "));
+        self.output.push('\n');
+    }
+}
+
+/// Numbers that look random and are the same everywhere: Knuth's linear congruential generator.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// Uniform in [-1, 1).
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    pub fn vector<const N: usize>(&mut self, size: f64) -> [f64; N] {
+        std::array::from_fn(|_| size * self.next())
+    }
+}
+
+/// FNV-1a over a text.
+pub fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
+}
