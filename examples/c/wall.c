@@ -25,7 +25,7 @@ static int32_t outside(void *context, const slideway_path_motion *motion, slidew
 }
 
 int main(void) {
-    ball obstacle = {{0.1, 1.2}, 0.15};
+    ball obstacle = {{0.0, 2.2}, 0.15};
     slideway_constraint constraints[2] = {slideway_constraint_init(), slideway_constraint_init()};
     constraints[0].shape = SLIDEWAY_SHAPE_KIND_HALF_SPACE; /* x <= 0.2 m */
     constraints[0].vector[0] = 1.0;
