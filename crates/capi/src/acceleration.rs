@@ -1,7 +1,5 @@
 use slideway_conditioner as core_laws;
-use slideway_conditioner::acceleration::{
-    AccelerationState, LookAhead, LookAheadSettings, Recovery,
-};
+use slideway_conditioner::acceleration::{AccelerationState, LookAhead, LookAheadSettings, Recovery};
 use slideway_conditioner::{AccelerationLimits, AccelerationRegulator, AffineSpeed, SpeedLimits};
 
 use crate::command::AccelerationCommand;
@@ -143,7 +141,8 @@ pub(crate) unsafe fn make(
     unsafe { acceleration.write(core::ptr::null_mut()) };
     // SAFETY: the caller's promise.
     let settings = unsafe { read_in(settings) }?;
-    let head = Header { kind: Acceleration::NUMBER, joints: settings.joints, constraints: 0, owner, busy: 0, reserved: 0 };
+    let head =
+        Header { kind: Acceleration::NUMBER, joints: settings.joints, constraints: 0, owner, busy: 0, reserved: 0 };
     with_joints!(settings.joints, N => {
         let value = Loop::<N>::new(&settings)?;
         // SAFETY: the caller's promise.

@@ -20,10 +20,7 @@ fn layout(size: usize) -> Result<Layout, Status> {
 /// # Safety
 ///
 /// `make` writes at most `size` bytes, and keeps no pointer to them if it fails.
-unsafe fn on_heap(
-    size: usize,
-    make: impl FnOnce(*mut u8) -> Result<(), Refused>,
-) -> Result<(), Refused> {
+unsafe fn on_heap(size: usize, make: impl FnOnce(*mut u8) -> Result<(), Refused>) -> Result<(), Refused> {
     let layout = layout(size)?;
     // SAFETY: the size is not zero.
     let memory = unsafe { alloc(layout) };

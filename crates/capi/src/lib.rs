@@ -57,9 +57,7 @@ pub use heap::{
     slideway_acceleration_free, slideway_acceleration_new, slideway_path_free, slideway_path_new, slideway_speed_free,
     slideway_speed_new,
 };
-pub use look_ahead::{
-    Preview, slideway_look_ahead_ranges, slideway_look_ahead_rate, slideway_look_ahead_rate_within,
-};
+pub use look_ahead::{Preview, slideway_look_ahead_ranges, slideway_look_ahead_rate, slideway_look_ahead_rate_within};
 pub use path::{
     Path, slideway_path_drop, slideway_path_place, slideway_path_restart, slideway_path_size, slideway_path_step,
 };

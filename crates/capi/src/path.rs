@@ -71,8 +71,7 @@ impl<const N: usize, const M: usize> Loop<N, M> {
 /// Bytes of memory that a path conditioner of this size takes; 0 for a size that there is none for.
 #[unsafe(no_mangle)]
 pub extern "C" fn slideway_path_size(coordinates: u32, constraints: u32) -> usize {
-    let size: Result<usize, Status> =
-        with_sizes!(coordinates, constraints, N, M => Ok(object_size::<Loop<N, M>>()));
+    let size: Result<usize, Status> = with_sizes!(coordinates, constraints, N, M => Ok(object_size::<Loop<N, M>>()));
     size.unwrap_or(0)
 }
 

@@ -1,11 +1,11 @@
 use slideway_conditioner as core_laws;
 use slideway_conditioner::path::{Margin, PathForm, Reserve, SwitchingLaw, TrapSettings, Walk};
 
+use crate::MAX_CONSTRAINTS;
 use crate::constraint::Constraint;
 use crate::memory::sized;
 use crate::speed::first;
 use crate::status::Status;
-use crate::MAX_CONSTRAINTS;
 
 /// Parameters of a path conditioner. Of an array the first `constraint_count` elements count.
 #[repr(C)]

@@ -1,7 +1,5 @@
 use slideway_conditioner as core_laws;
-use slideway_conditioner::{
-    Advance, AffineSpeed, ImplicitSpeedRegulator, SpeedLimits, SpeedRegulator, SpeedState,
-};
+use slideway_conditioner::{Advance, AffineSpeed, ImplicitSpeedRegulator, SpeedLimits, SpeedRegulator, SpeedState};
 
 use crate::choices::{SaturationKind, SpeedLaw};
 use crate::command::SpeedCommand;

@@ -129,7 +129,9 @@ impl Status {
         match self {
             Self::Ok => c"done",
             Self::Null => c"a pointer is null that must not be",
-            Self::Alignment => c"a pointer is not aligned; objects lie on multiples of SLIDEWAY_ALIGNMENT, numbers on their own size",
+            Self::Alignment => {
+                c"a pointer is not aligned; objects lie on multiples of SLIDEWAY_ALIGNMENT, numbers on their own size"
+            }
             Self::Size => c"the field size is of no known version; set it to the sizeof of the structure",
             Self::Memory => c"the memory is too small; ask the size function of the object for its size",
             Self::OutOfMemory => c"no memory is left on the heap",
@@ -159,7 +161,9 @@ impl Status {
             Self::SamplingPeriod => c"the sampling period (s) must be positive and finite",
             Self::Bandwidth => c"the filter bandwidth (rad/s) must be positive and finite",
             Self::TargetRate => c"the target rate of the path parameter (1/s) must be positive and finite",
-            Self::FilterStep => c"bandwidth times sampling period must not exceed 1; lower the bandwidth or sample faster",
+            Self::FilterStep => {
+                c"bandwidth times sampling period must not exceed 1; lower the bandwidth or sample faster"
+            }
             Self::Factor => c"a speed factor must lie in [0, 1]",
             Self::SafeWalk => c"the safe walk needs the sliding form with its reserve",
             Self::Start => c"a coordinate to start from must be finite",

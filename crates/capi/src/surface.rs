@@ -2,8 +2,8 @@
 
 use slideway_conditioner::path::{Constraint as Evaluate, ConstraintSample, Motion};
 use slideway_conditioner::shapes::{
-    Ball, BoothOval, Cylinder, Ellipsoid, HalfSpace, Local, Moving, Oscillation, Polytope, Shape, SmoothBox, Trajectory,
-    UniformMotion, Waypoint,
+    Ball, BoothOval, Cylinder, Ellipsoid, HalfSpace, Local, Moving, Oscillation, Polytope, Shape, SmoothBox,
+    Trajectory, UniformMotion, Waypoint,
 };
 
 use crate::MAX_FACES;

@@ -85,9 +85,14 @@ pub fn acceleration<const N: usize>(recording: &mut Recording, braking: bool, st
         recovery: if braking { Recovery::Braking { gain } } else { Recovery::AsDemanded },
     })
     .expect("settings");
-    let look_ahead =
-        LookAhead::new(LookAheadSettings { speed_limits, acceleration_limits, sampling_period: period, target_rate, margin })
-            .expect("settings");
+    let look_ahead = LookAhead::new(LookAheadSettings {
+        speed_limits,
+        acceleration_limits,
+        sampling_period: period,
+        target_rate,
+        margin,
+    })
+    .expect("settings");
     let mut ranges = [0.0; NODES];
     look_ahead.ranges(spacing, &nodes, &mut ranges);
     recording.print(&ranges);

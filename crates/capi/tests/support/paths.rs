@@ -115,7 +115,12 @@ pub fn path<const N: usize, const M: usize>(recording: &mut Recording, number: u
     recording.read(&[PERIOD, 20.0, 1.5, 0.5]);
     recording.read(&approach);
     recording.read(&[0.5, TRAP.walk_cutoff, TRAP.pace_cutoff, TRAP.walk_speed, TRAP.walk_growth, TRAP.return_gain]);
-    recording.read(&[TRAP.direction_period, TRAP.distance_threshold, TRAP.clearance_threshold, TRAP.activity_threshold]);
+    recording.read(&[
+        TRAP.direction_period,
+        TRAP.distance_threshold,
+        TRAP.clearance_threshold,
+        TRAP.activity_threshold,
+    ]);
     recording.begin("", &[SEED]);
     recording.read(&normal);
     recording.read(&[offset]);
