@@ -57,8 +57,3 @@ impl Numbers {
         std::array::from_fn(|_| size * self.next())
     }
 }
-
-/// FNV-1a over a text.
-pub fn hash(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
-}
