@@ -26,7 +26,7 @@ fn print_speed<const N: usize>(recording: &mut Recording, rate: f64, command: &S
     recording.end_line(&[]);
 }
 
-pub fn speed<const N: usize>(recording: &mut Recording, law: u32, saturation: u32, steps: u32) {
+pub(crate) fn speed<const N: usize>(recording: &mut Recording, law: u32, saturation: u32, steps: u32) {
     let mut numbers = Numbers(u64::from(law) * 100 + N as u64);
     let lower: [f64; N] = std::array::from_fn(|i| -0.4 - 0.05 * i as f64);
     let upper: [f64; N] = std::array::from_fn(|i| 0.5 + 0.03 * i as f64);
@@ -60,7 +60,7 @@ pub fn speed<const N: usize>(recording: &mut Recording, law: u32, saturation: u3
     }
 }
 
-pub fn acceleration<const N: usize>(recording: &mut Recording, braking: bool, steps: u32) {
+pub(crate) fn acceleration<const N: usize>(recording: &mut Recording, braking: bool, steps: u32) {
     const NODES: usize = 40;
     let (period, bandwidth, target_rate, gain, margin, spacing) = (1e-3, 20.0, 5.0, 8.0, 0.05, 0.02);
     let mut numbers = Numbers(1000 + N as u64 + u64::from(braking));

@@ -1,15 +1,15 @@
 //! Recordings of the core: inputs as a text for the replaying programs, outputs as the text that they must print.
 
-pub mod cases;
-pub mod paths;
+pub(crate) mod cases;
+pub(crate) mod paths;
 
 /// A recording that grows.
 #[derive(Default)]
-pub struct Recording {
+pub(crate) struct Recording {
     /// What a program reads.
-    pub input: String,
+    pub(crate) input: String,
     /// What it must print.
-    pub output: String,
+    pub(crate) output: String,
 }
 
 fn bits(text: &mut String, numbers: &[f64]) {
@@ -19,7 +19,7 @@ fn bits(text: &mut String, numbers: &[f64]) {
 }
 
 impl Recording {
-    pub fn begin(&mut self, case: &str, counts: &[u32]) {
+    pub(crate) fn begin(&mut self, case: &str, counts: &[u32]) {
         self.input.push_str(case);
         for count in counts {
             self.input.push_str(&format!(" {count}"));
@@ -27,16 +27,16 @@ impl Recording {
         self.input.push('\n');
     }
 
-    pub fn read(&mut self, numbers: &[f64]) {
+    pub(crate) fn read(&mut self, numbers: &[f64]) {
         bits(&mut self.input, numbers);
         self.input.push('\n');
     }
 
-    pub fn print(&mut self, numbers: &[f64]) {
+    pub(crate) fn print(&mut self, numbers: &[f64]) {
         bits(&mut self.output, numbers);
     }
 
-    pub fn end_line(&mut self, words: &[u32]) {
+    pub(crate) fn end_line(&mut self, words: &[u32]) {
         let words: Vec<String> = words.iter().map(u32::to_string).collect();
         self.output.push_str(&words.join(" "));
         self.output.push('\n');
@@ -44,16 +44,16 @@ impl Recording {
 }
 
 /// Numbers that look random and are the same everywhere: Knuth's linear congruential generator.
-pub struct Numbers(pub u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
     /// Uniform in [-1, 1).
-    pub fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    pub fn vector<const N: usize>(&mut self, size: f64) -> [f64; N] {
+    pub(crate) fn vector<const N: usize>(&mut self, size: f64) -> [f64; N] {
         std::array::from_fn(|_| size * self.next())
     }
 }

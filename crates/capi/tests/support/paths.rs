@@ -95,7 +95,7 @@ fn reference<const N: usize>(k: u32, numbers: &mut Numbers) -> Motion<N> {
     Motion { time, position, velocity }
 }
 
-pub fn path<const N: usize, const M: usize>(recording: &mut Recording, number: u32, walks: bool, steps: u32) {
+pub(crate) fn path<const N: usize, const M: usize>(recording: &mut Recording, number: u32, walks: bool, steps: u32) {
     let normal: [f64; N] = std::array::from_fn(|i| 1.0 / (1.0 + i as f64));
     let (offset, approach) = (0.3, [0.1; M]);
     let centre: [f64; N] = std::array::from_fn(|i| if i == 0 { -0.9 } else { 0.1 });
