@@ -59,6 +59,9 @@ fn what_else_a_page_tells_a_reader_to_type_is_known_and_its_scripts_exist() {
             let words = split(without_comment(&line));
             let known = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
                 ["slideway", ..] | ["cargo", "run" | "install" | "doc" | "test", ..] => true,
+                // `crates/capi/check` runs these.
+                ["cmake", "-S", folder, ..] => root().join(folder).join("CMakeLists.txt").exists(),
+                ["cmake", "--build" | "--install", ..] => true,
                 ["sh", script, ..] | [script, ..] => script.starts_with(".ci/") && root().join(script).exists(),
                 [] => true,
             };
