@@ -206,6 +206,21 @@ impl PieceProgram {
         program
     }
 
+    /// The same program from its end to its start: the same rows on the same intervals, in the opposite order.
+    pub(super) fn reversed(&self) -> Self {
+        let mut program = self.clone();
+        program.h.reverse();
+        program.cap.reverse();
+        program.given.reverse();
+        (program.strips, program.first) = (Vec::with_capacity(self.strips.len()), vec![0]);
+        for interval in (0..self.h.len()).rev() {
+            let swapped = |strip: &Strip| Strip { before: strip.after, after: strip.before, ..*strip };
+            program.strips.extend(self.interval(interval).iter().map(swapped));
+            program.first.push(program.strips.len());
+        }
+        program
+    }
+
     /// Seconds per unit of the program's time.
     #[must_use]
     pub fn unit_time(&self) -> Outward {

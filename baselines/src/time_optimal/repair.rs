@@ -67,6 +67,18 @@ pub(super) fn inner_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumE
         .ok_or(OptimumError::Unrepairable("no profile keeps the limits with room to spare"))
 }
 
+/// A profile well inside all rows: the mean of the inner profile and of the one that is found from the other end.
+///
+/// A greedy profile takes the most at each node, and where a thin corner of the rows allows that, nearly nothing is left for
+/// the next one. Seen from the other end the corner is another one; both keep the rows, which are convex.
+pub(super) fn central_profile(program: &PieceProgram) -> Result<Vec<f64>, OptimumError> {
+    let onward = inner_profile(program)?;
+    let mut back = inner_profile(&program.reversed())?;
+    back.reverse();
+    let mean: Vec<f64> = onward.iter().zip(&back).map(|(a, b)| 0.5 * (a + b)).collect();
+    Ok(if program.largest_excess(&mean) < 0.0 { mean } else { onward })
+}
+
 /// The least `θ` that mends every row, up to rounding; 1 if a row cannot be mended.
 fn blend_share(program: &PieceProgram, profile: &[f64], inner: &[f64]) -> f64 {
     let mut theta: f64 = 0.0;

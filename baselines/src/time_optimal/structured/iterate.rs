@@ -2,7 +2,7 @@
 //!
 //! The measure of an iterate is its own certificate in ordinary arithmetic, `δ = max(|T - L|, Σ s z) / T + excess`: complementarity alone goes on
 //! falling where the dual residual already climbs. The loop ends at the target, at 100 times the best `δ` (once it was below
-//! 1e-5), or after 12 steps (40 from inside) that gain less than a tenth.
+//! 1e-5, and for three steps), or after 12 steps (40 from inside) that gain less than a tenth.
 
 use super::centre::{Centre, Correctors};
 use super::state::State;
@@ -15,6 +15,9 @@ const ROUNDING: f64 = 1e-12;
 
 /// Distance below which getting worse is a sign of rounding, not of centring.
 const CLOSE: f64 = 1e-5;
+
+/// Steps that the loop may get worse by so much and recover: a step cut short by one multiplier lifts the dual residual for a step or two.
+const RELAPSE: u32 = 3;
 
 /// Steps at the most.
 const MOST: u32 = 100;
@@ -74,7 +77,8 @@ pub(super) fn iterate(state: &mut State, correctors: Correctors) -> Best {
             break;
         }
         (mark, waited) = if distance < 0.9 * mark { (distance, 0) } else { (mark, waited + 1) };
-        if waited > correctors.patience() || (best.distance < CLOSE && distance > 100.0 * best.distance) {
+        let is_worse = best.distance < CLOSE && distance > 100.0 * best.distance;
+        if waited > correctors.patience() || (is_worse && waited > RELAPSE) {
             best.ending = Ending::Stalled;
             break;
         }

@@ -24,7 +24,7 @@ mod tests;
 
 use super::interval::IntervalProgram;
 use super::piece::PieceProgram;
-use super::repair::inner_profile;
+use super::repair::central_profile;
 use super::solver::SolverAnswer;
 use centre::Correctors;
 use iterate::{Best, iterate};
@@ -107,7 +107,7 @@ impl Beginning {
         };
         let inside = match start {
             Start::Greedy => None,
-            Start::Inside => inner_profile(program).ok(),
+            Start::Inside => central_profile(program).ok(),
         };
         match inside {
             Some(profile) => Self {

@@ -1,12 +1,13 @@
 //! Step lengths: how far slacks and multipliers can go, and what is left of their products there.
 //!
 //! ```text
-//! α_p = min(1, τ / max(-ds/s), 0.9 / max(-dx/x)),   α_d = min(1, τ / max(-dz/z)),   τ = max(0.99, 1 - μ/T)
+//! α_p = min(1, τ / max(-ds/s), 0.5 / max(-dx/x)),   α_d = min(1, τ / max(-dz/z)),   τ = max(0.99, 1 - μ/T)
 //! σ = (μ(α_p, α_d) / μ)³                                                              [M92] section 2
 //! ```
 
-/// Share of a node's value that one step may take away: the objective is its own barrier, and its third derivative is what limits Newton.
-pub(super) const SHRINK: f64 = 0.9;
+/// Share of a node's value that one step may take away: the objective is its own barrier, and its third derivative is what limits Newton. With
+/// 0.9 some 2 programs in 10,000 went round in circles (0.46, 0.05, 0.12, 0.27, 0.46 at one node); with a half none of 100,000 did.
+pub(super) const SHRINK: f64 = 0.5;
 
 /// The largest relative decrease of a slack and of a multiplier, and of a node's value, over a full step.
 #[derive(Clone, Copy, Debug, Default)]
