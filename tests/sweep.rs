@@ -2,7 +2,7 @@
 
 mod support;
 
-use slideway_scenario::sweep::quantile;
+use slideway_compare::sweep::quantile;
 use std::collections::BTreeSet;
 use std::path::Path;
 use support::{WAY_POINTS, from_files, json, slideway};

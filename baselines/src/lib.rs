@@ -4,6 +4,5 @@ pub mod outward;
 pub mod path_bracket;
 pub mod potential_field;
 pub mod projection;
-pub mod rivals;
 pub mod safety_filter;
 pub mod time_optimal;

@@ -68,6 +68,19 @@ fn a_comparison_that_names_the_command_is_told() {
 }
 
 #[test]
+fn an_optimum_that_names_a_loop_is_told() {
+    let broken = workspace(&[
+        ("slideway-baselines", "slideway-lab = '1'", &[("lib.rs", "use slideway_lab::Trace;")]),
+        ("slideway-lab", "", &[("lib.rs", "pub struct Trace;")]),
+    ]);
+    let both = [
+        "slideway-baselines/Cargo.toml -> slideway-lab/Cargo.toml",
+        "slideway-baselines/src/lib.rs -> slideway-lab/Cargo.toml",
+    ];
+    assert_eq!(rules::optima_know_no_loop(&broken), both);
+}
+
+#[test]
 fn what_shows_results_and_names_a_verb_is_told() {
     let broken = one(&[
         ("main.rs", "mod say; mod keep; mod sweep;"),

@@ -30,6 +30,11 @@ pub(crate) fn values_only(packages: &[Package]) -> Vec<String> {
     depends(packages, &LIBRARIES, &READERS_AND_TERMINALS)
 }
 
+/// Optima take paths and limits: no loop, no controller, no trace.
+pub(crate) fn optima_know_no_loop(packages: &[Package]) -> Vec<String> {
+    depends(packages, &["slideway-baselines"], &["slideway-lab", "slideway-compare", "slideway-verify"])
+}
+
 /// Comparison and verification do not know the command.
 pub(crate) fn no_command(packages: &[Package]) -> Vec<String> {
     depends(packages, &["slideway-compare", "slideway-verify"], &[COMMAND])

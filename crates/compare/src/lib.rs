@@ -3,7 +3,7 @@
 //! [`compare_speed`] runs every speed law on a path and puts it beside the certified time optimum; [`compare_conditioning`] runs
 //! every path conditioner on a reference and puts it beside the projection, the nearest allowed point at each instant. Both take
 //! values and return values: they read no file, write none, print nothing and know no terminal. A caller sees how far a comparison
-//! has come through a function of [`Progress`], which may end it.
+//! has come through a function of [`Progress`], which may end it. [`mod@sweep`] makes many runs and tells each in a row of numbers.
 //!
 //! ```
 //! use slideway_compare::{SpeedOptions, compare_speed, unwatched};
@@ -27,7 +27,9 @@
 mod conditioning;
 mod error;
 mod progress;
+pub mod rivals;
 mod speed;
+pub mod sweep;
 mod words;
 
 pub use conditioning::convergence::Convergence;

@@ -36,6 +36,7 @@ mod parallel;
 mod problem;
 mod published;
 mod run;
+mod subject;
 
 pub use disturbances::{Disturbances, MOST_DELAY, MOST_JITTER, MOST_NOISE, MOST_SPEED_ERROR};
 pub use experiment::Experiment;
@@ -50,3 +51,4 @@ pub use run::limit_use::LimitUse;
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use run::simulate::MAX_SAMPLES;
 pub use run::trace::{Chatter, Sample, Trace};
+pub use subject::Subject;

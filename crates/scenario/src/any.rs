@@ -3,7 +3,7 @@ use crate::conditioning::ConditioningScenario;
 use crate::error::ScenarioError;
 use crate::speed::Scenario;
 use crate::tables::Expectation;
-use crate::tables::verify_options::VerifyOptions;
+use slideway_verify::VerifyOptions;
 use std::path::Path;
 use toml::de::DeTable;
 

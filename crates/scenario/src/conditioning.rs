@@ -2,9 +2,9 @@ use crate::error::ScenarioError;
 use crate::read::conditioning::read_conditioning;
 use crate::tables::Expectation;
 use crate::tables::conditioning::ConditioningFile;
-use crate::tables::verify_options::VerifyOptions;
 use crate::text::from_toml;
 use slideway_lab::conditioning::ConditioningProblem;
+use slideway_verify::VerifyOptions;
 use std::path::{Path, PathBuf};
 
 /// The scenario of a path-conditioning study: its text and what the text says.
@@ -31,7 +31,12 @@ impl ConditioningScenario {
     /// folder.
     #[must_use]
     pub fn in_folder_of(self, file: &Path) -> Self {
-        Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), ..self }
+        self.in_folder(file.parent().unwrap_or(Path::new("")))
+    }
+
+    /// The same scenario with the paths in it relative to a folder.
+    pub(crate) fn in_folder(self, folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), ..self }
     }
 
     /// The folder in which files that it names lie.
@@ -46,6 +51,11 @@ impl ConditioningScenario {
     /// The first value that cannot be used, with its key.
     pub fn problem(&self) -> Result<ConditioningProblem, ScenarioError> {
         read_conditioning(&self.file, &self.folder)
+    }
+
+    /// Whether a seed changes anything: of a trap's walk, or of disturbances.
+    pub(crate) fn is_random(&self) -> bool {
+        self.problem().is_ok_and(|problem| problem.trap.is_some() || problem.disturbances.are_random())
     }
 
     /// What a campaign of random trials around it is asked to do.

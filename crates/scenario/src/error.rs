@@ -58,6 +58,14 @@ pub enum ScenarioError {
         /// What is wrong with it.
         error: Box<UrdfError>,
     },
+    /// A method that there is not, or that is no form of what is judged.
+    #[error("there is no method `{name}` for this kind of scenario")]
+    UnknownMethod {
+        /// What was given.
+        name: String,
+        /// What there is.
+        known: Vec<&'static str>,
+    },
     /// A value of the right shape that cannot be used, or a path that cannot be followed.
     #[error(transparent)]
     Problem(#[from] ProblemError),
@@ -91,6 +99,7 @@ impl ScenarioError {
             Self::Csv { error, .. } => error.remedy().into(),
             Self::CsvWaypoint { error, .. } => error.remedy().into(),
             Self::Urdf { error, .. } => error.remedy(),
+            Self::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
             Self::Problem(error) => error.remedy(),
         }
     }

@@ -4,12 +4,12 @@ use crate::built_in::BUILT_IN;
 use crate::error::ScenarioError;
 use crate::read::problem::read_problem;
 use crate::read::robot::describe;
-use crate::tables::verify_options::VerifyOptions;
 use crate::tables::{Expectation, ScenarioFile};
 use crate::text::from_toml;
 use slideway_lab::{Experiment, Method, Problem};
 use slideway_path::Fault;
 use slideway_robot::RobotDescription;
+use slideway_verify::VerifyOptions;
 use std::path::{Path, PathBuf};
 
 /// A scenario: its text and what the text says.
@@ -66,7 +66,12 @@ impl Scenario {
     /// folder.
     #[must_use]
     pub fn in_folder_of(self, file: &Path) -> Self {
-        Self { folder: file.parent().map(Path::to_owned).unwrap_or_default(), ..self }
+        self.in_folder(file.parent().unwrap_or(Path::new("")))
+    }
+
+    /// The same scenario with the paths in it relative to a folder.
+    pub(crate) fn in_folder(self, folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), ..self }
     }
 
     /// The folder in which files that the scenario names lie.

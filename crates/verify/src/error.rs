@@ -1,27 +1,18 @@
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_path::ProblemError;
-use slideway_scenario::ScenarioError;
 
-/// Why a scenario cannot be verified.
+/// Why a problem cannot be verified or tuned.
 #[derive(Debug, thiserror::Error)]
 pub enum VerifyError {
-    /// The scenario cannot be used.
+    /// The problem cannot be used.
     #[error(transparent)]
-    Scenario(#[from] ScenarioError),
+    Problem(#[from] ProblemError),
     /// The path has no optimum.
     #[error(transparent)]
     Optimum(#[from] OptimumError),
     /// The speed limits exclude standing still.
     #[error("the joint-speed limits have to lie on both sides of zero")]
     NoLimits,
-    /// A method that there is not, or that is no form of what is verified.
-    #[error("there is no method `{name}`; there are {}", known.join(", "))]
-    UnknownMethod {
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        known: Vec<&'static str>,
-    },
     /// A method that nothing is claimed about.
     #[error("nothing is claimed about the method `{method}`: choose one of the conditioner's forms")]
     NoClaims {
@@ -36,12 +27,6 @@ pub enum VerifyError {
         /// What was given.
         value: f64,
     },
-    /// A key that the scenario does not have.
-    #[error("the scenario has no `{key}` to change")]
-    NoKey {
-        /// The key.
-        key: String,
-    },
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {
@@ -50,16 +35,4 @@ pub enum VerifyError {
         /// How many there are, counted from 0.
         trials: u64,
     },
-}
-
-impl From<ProblemError> for VerifyError {
-    fn from(error: ProblemError) -> Self {
-        Self::Scenario(error.into())
-    }
-}
-
-impl VerifyError {
-    pub(crate) fn unknown_method(name: &str, known: Vec<&'static str>) -> Self {
-        Self::UnknownMethod { name: name.to_owned(), known }
-    }
 }

@@ -1,9 +1,11 @@
 //! What is stated of a path conditioner holds in runs and trials of scenarios of any kind, or it is not stated.
 
+mod support;
+
 use proptest::prelude::*;
 use slideway_lab::conditioning::PathMethod;
-use slideway_scenario::ConditioningScenario;
-use slideway_verify::{Campaign, CampaignRequest, Statement, TuneOutcome, TuneRequest, tune};
+use slideway_scenario::{AnyScenario, Tuning};
+use slideway_verify::{Statement, TuneRequest};
 
 /// A reference that swings through the origin, the constraints, and lines of the table `[conditioner]`.
 fn scenario(constraints: &str, lines: &str) -> String {
@@ -18,8 +20,8 @@ fn constraint(name: &str, approach: f64, shape: &str) -> String {
 }
 
 fn statement(text: &str, method: PathMethod) -> Statement {
-    let scenario = ConditioningScenario::parse("mine", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    Statement::for_conditioning(&scenario, Some(method)).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    let scenario = AnyScenario::parse("mine", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    support::statement(&scenario, Some(method.name())).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn upper(statement: &Statement, name: &str) -> Option<f64> {
@@ -30,15 +32,7 @@ fn kept(text: &str, method: PathMethod, trials: u64) -> Result<(), TestCaseError
     let stated = statement(text, method);
     let violated: Vec<_> = stated.violated().collect();
     prop_assert!(violated.is_empty(), "{method:?}: {violated:?}\n{text}");
-    let request = CampaignRequest {
-        name: "mine".into(),
-        text: text.into(),
-        file: None,
-        method: Some(method.name().into()),
-        seed: 5,
-        trials,
-    };
-    let campaign = Campaign::new(request).expect("valid");
+    let campaign = support::campaign(text, method.name(), 5, trials).expect("valid");
     for number in 0..trials {
         let trial = campaign.trial(number).expect("runs");
         prop_assert!(trial.kept(), "{method:?} {number}: {:?} in {trial:?}\n{text}", trial.violated());
@@ -83,8 +77,9 @@ fn a_push_that_drives_a_constraint_outwards_has_lost_and_is_not_tuned() {
     assert!(share.value == f64::INFINITY && !share.holds() && !stated.accepts());
     assert!(upper(&stated, "phi").is_none() && upper(&stated, "chattering").is_none());
     assert!(share.remedy.as_deref().is_some_and(|remedy| remedy.contains("reserve_rate")), "{share:?}");
-    let request = TuneRequest { name: "mine".into(), text: text.clone(), file: None, chattering: 0.05, rate: 2000.0 };
-    assert!(matches!(tune(&request), Ok(TuneOutcome::Impossible(_))));
+    let mine = AnyScenario::parse("mine", &text).expect("valid");
+    let tuned = mine.tuned(None, TuneRequest { chattering: 0.05, rate: 2000.0 });
+    assert!(matches!(tuned, Ok(Tuning::Impossible(_))));
     // With what the remedy says it holds.
     let text = text.replace("push_cutoff", "reserve_rate = 1\npush_cutoff");
     assert!(kept(&text, PathMethod::SlidingMode, 4).is_ok() && statement(&text, PathMethod::SlidingMode).accepts());

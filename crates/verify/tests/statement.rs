@@ -1,29 +1,31 @@
 //! What a statement says contains what a run shows, and says something.
 
+mod support;
+
 use proptest::prelude::*;
 use slideway_lab::Method;
 use slideway_lab::conditioning::PathMethod;
-use slideway_scenario::ConditioningScenario;
 use slideway_scenario::sweep::Setting;
-use slideway_scenario::{AnyScenario, BUILT_IN, Scenario};
+use slideway_scenario::{AnyScenario, BUILT_IN};
 use slideway_verify::{Guarantee, Observer, Statement};
 use std::error::Error;
+use support::statement;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
 const FORMS: [Method; 3] = [Method::SlidingMode, Method::SlidingModeSynchronised, Method::SlidingModeImplicit];
 
-fn built_in(name: &str) -> Result<Scenario, Box<dyn Error>> {
-    Ok(Scenario::built_in(name).ok_or("no such scenario")??)
+fn built_in(name: &str) -> Result<AnyScenario, Box<dyn Error>> {
+    Ok(AnyScenario::built_in(name).ok_or("no such scenario")??)
 }
 
 /// A scenario with values replaced.
-fn changed(name: &str, settings: &[String]) -> Result<Scenario, Box<dyn Error>> {
+fn changed(name: &str, settings: &[String]) -> Result<AnyScenario, Box<dyn Error>> {
     let mut document: toml::Table = built_in(name)?.text().parse()?;
     for setting in settings {
         Setting::parse(setting)?.apply(&mut document)?;
     }
-    Ok(Scenario::parse(name, &document.to_string())?)
+    Ok(AnyScenario::parse(name, &document.to_string())?)
 }
 
 fn guarantee<'a>(statement: &'a Statement, name: &str) -> Result<&'a Guarantee, Box<dyn Error>> {
@@ -51,11 +53,11 @@ fn runs_inside_its_bounds_in_every_form(wanted: impl Fn(&str) -> bool) -> Outcom
         matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Speed(_))) && wanted(b.name)
     };
     for b in BUILT_IN.iter().filter(speed) {
-        let scenario = Scenario::parse(b.name, b.text)?;
-        contains_what_it_measured(b.name, &Statement::for_speed(&scenario, None)?);
-        let judged = scenario.judged_method().unwrap_or(Method::SlidingMode);
-        for method in FORMS.into_iter().filter(|form| *form != judged || b.name.contains("acceleration")) {
-            let statement = Statement::for_speed(&scenario, Some(method))?;
+        let scenario = AnyScenario::parse(b.name, b.text)?;
+        contains_what_it_measured(b.name, &statement(&scenario, None)?);
+        let judged = scenario.subject(None)?.method();
+        for method in FORMS.into_iter().filter(|form| form.name() != judged || b.name.contains("acceleration")) {
+            let statement = statement(&scenario, Some(method.name()))?;
             contains_what_it_measured(b.name, &statement);
             guarantee(&statement, "demand")?;
         }
@@ -83,9 +85,9 @@ fn every_other_speed_scenario_runs_inside_its_bounds() -> Outcome {
 fn every_built_in_conditioning_scenario_runs_inside_its_bounds() -> Outcome {
     for b in BUILT_IN.iter().filter(|b| matches!(AnyScenario::parse(b.name, b.text), Ok(AnyScenario::Conditioning(_))))
     {
-        let scenario = ConditioningScenario::parse(b.name, b.text)?;
+        let scenario = AnyScenario::parse(b.name, b.text)?;
         for method in [PathMethod::SlidingMode, PathMethod::SlidingModeImplicit] {
-            let statement = Statement::for_conditioning(&scenario, Some(method))?;
+            let statement = statement(&scenario, Some(method.name()))?;
             contains_what_it_measured(b.name, &statement);
             assert!(statement.accepts(), "{}", b.name);
             // Shapes are decimetres in size; a bound of half a centimetre says something.
@@ -99,7 +101,7 @@ fn every_built_in_conditioning_scenario_runs_inside_its_bounds() -> Outcome {
 #[test]
 fn the_bounds_of_the_fair_race_are_close() -> Outcome {
     for method in FORMS {
-        let statement = Statement::for_speed(&built_in("puma-helix-on-path")?, Some(method))?;
+        let statement = statement(&built_in("puma-helix-on-path")?, Some(method.name()))?;
         assert!(statement.accepts());
         assert!(guarantee(&statement, "demand")?.upper.is_some_and(|bound| bound < 1.1));
         let time = guarantee(&statement, "time-over-optimum")?;
@@ -112,13 +114,13 @@ fn the_bounds_of_the_fair_race_are_close() -> Outcome {
 #[test]
 fn a_filter_too_slow_for_the_path_is_rejected_with_a_number_that_is_accepted() -> Outcome {
     for (name, slow) in [("puma-helix", 1.5), ("planar-line", 4.0)] {
-        let statement = Statement::for_speed(&changed(name, &[format!("control.bandwidth={slow}")])?, None)?;
-        let drift = statement.hypotheses.iter().find(|h| h.name == "drift-against-filter").ok_or("not stated")?;
-        assert!(!drift.holds() && !statement.accepts());
+        let stated = statement(&changed(name, &[format!("control.bandwidth={slow}")])?, None)?;
+        let drift = stated.hypotheses.iter().find(|h| h.name == "drift-against-filter").ok_or("not stated")?;
+        assert!(!drift.holds() && !stated.accepts());
         let remedy = drift.remedy.as_deref().ok_or("no remedy")?;
         let number = remedy.strip_prefix("`control.bandwidth`: at least ").ok_or("no number")?;
         assert!(number.parse::<f64>()? > slow);
-        let mended = Statement::for_speed(&changed(name, &[format!("control.bandwidth={number}")])?, None)?;
+        let mended = statement(&changed(name, &[format!("control.bandwidth={number}")])?, None)?;
         assert!(mended.accepts(), "{name} {number}: {:?}", mended.hypotheses);
     }
     Ok(())
@@ -126,11 +128,11 @@ fn a_filter_too_slow_for_the_path_is_rejected_with_a_number_that_is_accepted() -
 
 #[test]
 fn a_target_rate_below_what_the_limits_allow_is_rejected_with_a_number_that_is_accepted() -> Outcome {
-    let slow = Statement::for_speed(&changed("puma-helix-on-path", &["control.target_rate=1.8".into()])?, None)?;
+    let slow = statement(&changed("puma-helix-on-path", &["control.target_rate=1.8".into()])?, None)?;
     let target = slow.hypotheses.iter().find(|h| h.name == "target-rate").ok_or("not stated")?;
     let number = target.remedy.as_deref().and_then(|r| r.rsplit(' ').next()).ok_or("no number")?;
     let mended = changed("puma-helix-on-path", &[format!("control.target_rate={number}")])?;
-    assert!(!slow.accepts() && Statement::for_speed(&mended, None)?.accepts());
+    assert!(!slow.accepts() && statement(&mended, None)?.accepts());
     // The reference that is never held back by the limits has no bracket of its time.
     assert!(guarantee(&slow, "travel-time").is_err());
     Ok(())
@@ -142,8 +144,8 @@ fn a_push_that_the_drift_beats_is_rejected_with_a_number_that_is_accepted() -> O
     let with = |amplitude: &str| -> Result<Statement, Box<dyn Error>> {
         let mut document: toml::Table = text.parse()?;
         Setting::parse(&format!("conditioner.law.normalised.amplitude={amplitude}"))?.apply(&mut document)?;
-        let scenario = ConditioningScenario::parse("helix-plane-sphere", &document.to_string())?;
-        Ok(Statement::for_conditioning(&scenario, None)?)
+        let scenario = AnyScenario::parse("helix-plane-sphere", &document.to_string())?;
+        statement(&scenario, None)
     };
     let weak = with("0.04")?;
     let share = weak.hypotheses.iter().find(|h| h.name == "push-share").ok_or("not stated")?;
@@ -164,13 +166,13 @@ fn from_outside_a_conditioner_is_back_in_the_stated_time_and_uses_it() -> Outcom
     ] {
         let text = text.replace("offset = 0 ", "offset = -0.1845 ").replace("amplitude = 0.1", "amplitude = 0.001");
         let text = text.replace("push_cutoff = 20", &format!("push_cutoff = 20\n{keys}"));
-        let statement = Statement::for_conditioning(&ConditioningScenario::parse("outside", &text)?, Some(method))?;
+        let statement = statement(&AnyScenario::parse("outside", &text)?, Some(method.name()))?;
         let recovery = guarantee(&statement, "recovery")?;
         let (bound, measured) = (recovery.upper.ok_or("bounded")?, recovery.measured.ok_or("measured")?);
         assert!(measured <= bound && measured >= 0.9 * bound, "{method:?}: {measured} {bound}");
     }
     // Without a reserve the explicit form pushes as it does inside, and promises no time.
-    let plain = Statement::for_conditioning(&ConditioningScenario::parse("plain", text)?, None)?;
+    let plain = statement(&AnyScenario::parse("plain", text)?, None)?;
     assert!(guarantee(&plain, "recovery").is_err());
     Ok(())
 }
@@ -178,10 +180,11 @@ fn from_outside_a_conditioner_is_back_in_the_stated_time_and_uses_it() -> Outcom
 #[test]
 fn an_observer_reads_from_a_run_what_the_statement_says_was_measured() -> Outcome {
     let scenario = built_in("puma-helix")?;
-    let experiment = scenario.experiment()?;
+    let AnyScenario::Speed(speed) = &scenario else { return Err("about speed".into()) };
+    let experiment = speed.experiment()?;
     for method in FORMS {
-        let statement = Statement::for_speed(&scenario, Some(method))?;
-        let seen = Observer::for_speed(&scenario, &experiment, method)?.speed(&experiment.run(method)?);
+        let statement = statement(&scenario, Some(method.name()))?;
+        let seen = Observer::for_speed(&experiment, method, scenario.grid_points())?.speed(&experiment.run(method)?);
         for g in &statement.guarantees {
             assert_eq!(seen.guarantee(&g.name), g.measured, "{}", g.name);
         }
@@ -213,7 +216,7 @@ fn a_synchronised_reference_of_a_few_samples_ends_inside_its_bounds() -> Outcome
                 [path]\njoints.line = { from = [0.489384, -0.940052], to = [0.443617, -0.903177] }\n\
                 [limits]\nspeed = [1.70189, 0.352911]\n\
                 [control]\ngain = 10\nsampling_period = 0.0204267\nbandwidth = 14.6867\ntarget_rate = 510.689\n";
-    let statement = Statement::for_speed(&Scenario::parse("short", text)?, Some(Method::SlidingModeSynchronised))?;
+    let statement = statement(&AnyScenario::parse("short", text)?, Some(Method::SlidingModeSynchronised.name()))?;
     let time = guarantee(&statement, "reference-time")?;
     // It does end before what a whole sample would take.
     assert!(time.measured.is_some_and(|t| time.contains(t) && t < time.lower.unwrap_or(0.0) + 0.0204267), "{time:?}");
@@ -237,8 +240,8 @@ proptest! {
         let far = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).abs().min((a[1] - b[1]).abs()) > 0.1;
         prop_assume!(far(&points[0], &points[1]) && far(&points[1], &points[2]));
         let text = joint_scenario(&points, limits, step, gain_step, target);
-        let scenario = Scenario::parse("random", &text).expect("a scenario");
-        let statement = Statement::for_speed(&scenario, Some(FORMS[method])).expect("a statement");
+        let scenario = AnyScenario::parse("random", &text).expect("a scenario");
+        let statement = statement(&scenario, Some(FORMS[method].name())).expect("a statement");
         for g in &statement.guarantees {
             prop_assert!(g.measured.is_none_or(|value| g.contains(value)), "{g:?}\n{text}");
         }

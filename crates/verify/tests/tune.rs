@@ -1,33 +1,48 @@
 //! What is proposed satisfies what was asked for; what is offered instead would have done.
 
-use slideway_scenario::ConditioningScenario;
-use slideway_scenario::{BUILT_IN, Scenario};
-use slideway_verify::{Impossible, MARGIN, Statement, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
+mod support;
+
+use slideway_scenario::{AnyScenario, TunedScenario, Tuning, TuningError};
+use slideway_verify::{Impossible, MARGIN, Statement, TuneRequest, VerifyError};
 use std::error::Error;
+use support::statement;
 
 type Outcome = Result<(), Box<dyn Error>>;
 
-fn request(name: &str, chattering: f64, rate: f64) -> Result<TuneRequest, Box<dyn Error>> {
-    let text = BUILT_IN.iter().find(|b| b.name == name).ok_or("no such scenario")?.text.to_owned();
-    Ok(TuneRequest { name: name.into(), text, file: None, chattering, rate })
+/// A scenario with what is asked for.
+#[derive(Clone)]
+struct Asked {
+    scenario: AnyScenario,
+    request: TuneRequest,
 }
 
-fn tuned(request: &TuneRequest) -> Result<Tuned, Box<dyn Error>> {
-    match tune(request)? {
-        TuneOutcome::Tuned(tuned) => Ok(*tuned),
-        TuneOutcome::Impossible(why) => Err(format!("{why:?}").into()),
+impl Asked {
+    fn tune(&self) -> Result<Tuning, TuningError> {
+        self.scenario.tuned(None, self.request)
     }
 }
 
-fn impossible(request: &TuneRequest) -> Result<Impossible, Box<dyn Error>> {
-    match tune(request)? {
-        TuneOutcome::Tuned(tuned) => Err(format!("{:?}", tuned.changes).into()),
-        TuneOutcome::Impossible(why) => Ok(why),
+fn asked(name: &str, chattering: f64, rate: f64) -> Result<Asked, Box<dyn Error>> {
+    let scenario = AnyScenario::built_in(name).ok_or("no such scenario")??;
+    Ok(Asked { scenario, request: TuneRequest { chattering, rate } })
+}
+
+fn tuned(asked: &Asked) -> Result<TunedScenario, Box<dyn Error>> {
+    match asked.tune()? {
+        Tuning::Tuned(tuned) => Ok(*tuned),
+        Tuning::Impossible(why) => Err(format!("{why:?}").into()),
+    }
+}
+
+fn impossible(asked: &Asked) -> Result<Impossible, Box<dyn Error>> {
+    match asked.tune()? {
+        Tuning::Tuned(tuned) => Err(format!("{:?}", tuned.changes).into()),
+        Tuning::Impossible(why) => Ok(why),
     }
 }
 
 /// The statement of the text that was proposed is the one that came with it, accepts, and bounds the chattering as asked.
-fn does_what_was_asked(request: &TuneRequest, tuned: &Tuned, again: &Statement) {
+fn does_what_was_asked(request: &TuneRequest, tuned: &TunedScenario, again: &Statement) {
     assert_eq!(&tuned.statement, again);
     assert!(again.accepts() && again.violated().count() == 0, "{again:?}");
     let chattering = tuned.predictions.iter().find(|p| p.name == "chattering");
@@ -48,9 +63,9 @@ fn holds_with_a_margin(statement: &Statement, names: &[&str]) {
 #[test]
 fn speed_scenarios_are_tuned_to_an_amplitude_at_a_rate() -> Outcome {
     for (name, chattering, rate) in [("planar-line", 0.05, 1000.0), ("natural-2r", 0.35, 2000.0)] {
-        let request = request(name, chattering, rate)?;
-        let tuned = tuned(&request)?;
-        does_what_was_asked(&request, &tuned, &Statement::for_speed(&Scenario::parse(name, &tuned.text)?, None)?);
+        let asked = asked(name, chattering, rate)?;
+        let tuned = tuned(&asked)?;
+        does_what_was_asked(&asked.request, &tuned, &statement(&AnyScenario::parse(name, &tuned.text)?, None)?);
         holds_with_a_margin(&tuned.statement, &["drift-against-filter", "target-rate"]);
         let document: toml::Table = tuned.text.parse()?;
         assert_eq!(document["control"]["sampling_period"].as_float(), Some(1.0 / rate));
@@ -61,10 +76,10 @@ fn speed_scenarios_are_tuned_to_an_amplitude_at_a_rate() -> Outcome {
 #[test]
 fn a_conditioning_scenario_is_tuned_to_an_amplitude_at_a_rate() -> Outcome {
     for chattering in [2e-2, 4e-3] {
-        let request = request("helix-plane-sphere", chattering, 1000.0)?;
-        let tuned = tuned(&request)?;
-        let scenario = ConditioningScenario::parse("helix-plane-sphere", &tuned.text)?;
-        does_what_was_asked(&request, &tuned, &Statement::for_conditioning(&scenario, None)?);
+        let asked = asked("helix-plane-sphere", chattering, 1000.0)?;
+        let tuned = tuned(&asked)?;
+        let scenario = AnyScenario::parse("helix-plane-sphere", &tuned.text)?;
+        does_what_was_asked(&asked.request, &tuned, &statement(&scenario, None)?);
         let share = tuned.statement.hypotheses.iter().find(|h| h.name == "push-share").ok_or("not stated")?;
         assert!(share.value * (1.0 + MARGIN) <= 1.0 + 1e-9, "{share:?}");
     }
@@ -73,9 +88,9 @@ fn a_conditioning_scenario_is_tuned_to_an_amplitude_at_a_rate() -> Outcome {
 
 #[test]
 fn a_gain_too_high_for_the_rate_comes_down() -> Outcome {
-    let mut request = request("planar-line", 0.2, 1000.0)?;
-    request.text = request.text.replace("gain = 20", "gain = 950");
-    let tuned = tuned(&request)?;
+    let mut asked = asked("planar-line", 0.2, 1000.0)?;
+    asked.scenario = AnyScenario::parse("mine", &asked.scenario.text().replace("gain = 20", "gain = 950"))?;
+    let tuned = tuned(&asked)?;
     let gain = tuned.statement.hypotheses.iter().find(|h| h.name == "gain-step").ok_or("not stated")?;
     assert!(
         gain.value <= 1.0 / (1.0 + MARGIN) + 1e-9 && tuned.changes.iter().any(|c| c.key == "control.gain"),
@@ -87,28 +102,28 @@ fn a_gain_too_high_for_the_rate_comes_down() -> Outcome {
 #[test]
 fn an_impossible_amplitude_comes_with_a_rate_and_an_amplitude_that_would_do() -> Outcome {
     for (name, chattering, rate) in [("planar-line", 0.01, 200.0), ("helix-plane-sphere", 1e-3, 1000.0)] {
-        let asked = request(name, chattering, rate)?;
+        let asked = asked(name, chattering, rate)?;
         let why = impossible(&asked)?;
         let (faster, wider) = (why.rate.ok_or("no rate")?, why.chattering.ok_or("no amplitude")?);
         assert!(faster > rate && wider > chattering, "{why:?}");
-        tuned(&TuneRequest { rate: faster, ..asked.clone() })?;
+        tuned(&Asked { request: TuneRequest { rate: faster, ..asked.request }, ..asked.clone() })?;
         // A twentieth more, for the last digits of the proposal.
-        tuned(&TuneRequest { chattering: 1.05 * wider, ..asked })?;
+        tuned(&Asked { request: TuneRequest { chattering: 1.05 * wider, ..asked.request }, ..asked })?;
     }
     Ok(())
 }
 
 #[test]
 fn a_rate_too_low_for_any_filter_comes_with_one_that_would_do() -> Outcome {
-    let asked = request("natural-2r", 0.9, 50.0)?;
+    let asked = asked("natural-2r", 0.9, 50.0)?;
     let faster = impossible(&asked)?.rate.ok_or("no rate")?;
-    tuned(&TuneRequest { rate: faster, ..asked })?;
+    tuned(&Asked { request: TuneRequest { rate: faster, ..asked.request }, ..asked })?;
     Ok(())
 }
 
 #[test]
 fn a_path_through_a_singularity_has_no_filter_that_does() -> Outcome {
-    let why = impossible(&request("puma-wrist-singularity", 0.5, 4000.0)?)?;
+    let why = impossible(&asked("puma-wrist-singularity", 0.5, 4000.0)?)?;
     assert!(why.rate.is_none() && why.chattering.is_none() && why.reason.contains("singularity"), "{why:?}");
     Ok(())
 }
@@ -116,9 +131,10 @@ fn a_path_through_a_singularity_has_no_filter_that_does() -> Outcome {
 #[test]
 fn what_makes_no_sense_is_refused() -> Outcome {
     for (chattering, rate) in [(0.0, 1000.0), (f64::NAN, 1000.0), (0.1, -1.0), (0.1, f64::INFINITY)] {
-        assert!(matches!(tune(&request("planar-line", chattering, rate)?), Err(VerifyError::NotPositive { .. })));
+        let refused = asked("planar-line", chattering, rate)?.tune();
+        assert!(matches!(refused, Err(TuningError::Verify(VerifyError::NotPositive { .. }))));
     }
-    let judged_by_acceleration = request("planar-bend", 0.1, 1000.0)?;
-    assert!(matches!(tune(&judged_by_acceleration), Err(VerifyError::NoClaims { .. })));
+    let judged_by_acceleration = asked("planar-bend", 0.1, 1000.0)?.tune();
+    assert!(matches!(judged_by_acceleration, Err(TuningError::Verify(VerifyError::NoClaims { .. }))));
     Ok(())
 }

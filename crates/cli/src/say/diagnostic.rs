@@ -1,6 +1,6 @@
 use crate::say::failures::journal::JournalError;
 use crate::say::failures::sweep::SweepFailure;
-use crate::say::failures::verify::{VerifyFailure, of_campaign};
+use crate::say::failures::verify::{VerifyFailure, of_tuning};
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_compare::CompareError;
@@ -9,9 +9,8 @@ use slideway_lab::ThreadsError;
 use slideway_proofs::kept::KeptError;
 use slideway_robot::models::Model;
 use slideway_robot::{RobotError, UrdfError};
-use slideway_scenario::{ScenarioError, locate};
+use slideway_scenario::{ScenarioError, TuningError, locate};
 use slideway_study::{Study, StudyError};
-use slideway_verify::VerifyError;
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -63,7 +62,7 @@ pub(crate) enum CliError {
     Figures(#[from] FigureError),
     /// A scenario that cannot be tuned.
     #[error("{name}: {error}")]
-    Tune { error: Box<VerifyError>, name: String },
+    Tune { error: Box<TuningError>, name: String },
     /// No sweep.
     #[error(transparent)]
     Sweep(#[from] SweepFailure),
@@ -116,7 +115,7 @@ impl CliError {
             Self::Journal(error) => error.remedy(),
             Self::Verify(failure) => failure.remedy(),
             Self::Threads(error) => error.remedy(),
-            Self::Tune { error, .. } => of_campaign(error),
+            Self::Tune { error, .. } => of_tuning(error),
             Self::Figures(_) => "check that the output folder may be written".into(),
         }
     }

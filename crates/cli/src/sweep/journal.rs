@@ -5,7 +5,8 @@ use crate::keep::journal::{Identity, Journal};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::difference::Difference;
 use serde::{Deserialize, Serialize};
-use slideway_scenario::sweep::{SweepPlan, SweepRow, shown};
+use slideway_compare::sweep::SweepRow;
+use slideway_scenario::sweep::{SweepPlan, shown};
 use std::path::Path;
 
 /// Everything that the rows depend on.

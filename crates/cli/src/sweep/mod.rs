@@ -10,10 +10,9 @@ use crate::say::failures::sweep::SweepFailure;
 use crate::say::loaded::source;
 use crate::say::output::{Outcome, create, json_text, print};
 use journal::{Opened, write_csv};
+use slideway_compare::sweep::{SweepRow, run_sweep};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
-use slideway_scenario::sweep::{
-    Axis, Setting, SweepError, SweepPlan, SweepRequest, SweepRow, SweepSummary, run_sweep, shown,
-};
+use slideway_scenario::sweep::{Axis, Setting, SweepError, SweepPlan, SweepRequest, SweepSummary, shown};
 use std::fs;
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::{Path, PathBuf};
@@ -77,7 +76,7 @@ fn finish(
 ) -> Result<Vec<SweepRow>, CliError> {
     let pending: Vec<usize> = (0..rows.len()).filter(|&run| rows[run].is_none()).collect();
     let work = Work { journal, done: &rows, failed: SweepRow::failed };
-    for row in work.finish(|sink| run_sweep(plan, &pending, jobs, sink))? {
+    for row in work.finish(|sink| run_sweep(&|run| Ok(plan.run(run)?), &pending, jobs, sink))? {
         let run = row.run;
         rows[run] = Some(row);
     }

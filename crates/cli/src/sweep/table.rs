@@ -1,6 +1,7 @@
 use crate::say::table::Table;
 use crate::say::words::short;
-use slideway_scenario::sweep::{Statistics, SweepPlan, SweepSummary, SweepTotals, shown};
+use slideway_compare::sweep::{Statistics, SweepTotals};
+use slideway_scenario::sweep::{SweepPlan, SweepSummary, shown};
 
 /// Columns of the rows that a grid's table shows, where they exist.
 const GRID_COLUMNS: [&str; 5] = ["duration_s", "escape_s", "mean_deviation_m", "rms_error_norm", "limit_ratio_peak"];

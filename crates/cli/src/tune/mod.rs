@@ -1,12 +1,13 @@
 use crate::args::TuneArguments;
 use crate::say::diagnostic::CliError;
-use crate::say::loaded::{scenario_error, source};
+use crate::say::loaded::{load, scenario_error};
 use crate::say::output::{Outcome, json_text, print};
 use crate::say::table::Table;
 use crate::say::words::short;
-use slideway_verify::{Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
+use slideway_scenario::{TunedScenario, Tuning, TuningError};
+use slideway_verify::{Impossible, Prediction, TuneRequest, VerifyError};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     for (option, value) in [("chattering", arguments.chattering), ("rate", arguments.rate)] {
@@ -15,41 +16,42 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
             return Err(CliError::Option { option, value, remedy });
         }
     }
-    let (name, text) = source(&arguments.scenario)?;
-    let file = Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists());
-    let request = TuneRequest { name, text, file, chattering: arguments.chattering, rate: arguments.rate };
-    let outcome = tune(&request).map_err(|error| in_file(error, arguments, &request))?;
-    if let (TuneOutcome::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
+    let scenario = load(&arguments.scenario)?;
+    let request = TuneRequest { chattering: arguments.chattering, rate: arguments.rate };
+    let outcome = scenario.tuned(None, request).map_err(|error| in_file(error, arguments, scenario.text()))?;
+    if let (Tuning::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
         let write = |source| CliError::Write { path: out.clone(), source };
         fs::write(out, &tuned.text).map_err(write)?;
     }
     print(&shown(&outcome, arguments, &request)?);
     Ok(match outcome {
-        TuneOutcome::Tuned(_) => Outcome::Holds,
-        TuneOutcome::Impossible(_) => Outcome::Fails,
+        Tuning::Tuned(_) => Outcome::Holds,
+        Tuning::Impossible(_) => Outcome::Fails,
     })
 }
 
 /// An error of the scenario points into its text.
-fn in_file(error: VerifyError, arguments: &TuneArguments, request: &TuneRequest) -> CliError {
+fn in_file(error: TuningError, arguments: &TuneArguments, text: &str) -> CliError {
+    let pointed = |error| scenario_error(error, &arguments.scenario, Some(text.to_owned()));
     match error {
-        VerifyError::Scenario(error) => scenario_error(error, &arguments.scenario, Some(request.text.clone())),
-        VerifyError::Optimum(error) => error.into(),
+        TuningError::Scenario(error) => pointed(error),
+        TuningError::Verify(VerifyError::Problem(error)) => pointed(error.into()),
+        TuningError::Verify(VerifyError::Optimum(error)) => error.into(),
         error => CliError::Tune { error: Box::new(error), name: arguments.scenario.clone() },
     }
 }
 
-fn shown(outcome: &TuneOutcome, arguments: &TuneArguments, request: &TuneRequest) -> Result<String, CliError> {
+fn shown(outcome: &Tuning, arguments: &TuneArguments, request: &TuneRequest) -> Result<String, CliError> {
     if arguments.json {
         return json_text(outcome);
     }
     Ok(match outcome {
-        TuneOutcome::Tuned(tuned) => tuned_in_words(tuned, arguments.out.as_deref()),
-        TuneOutcome::Impossible(impossible) => impossible_in_words(impossible, request),
+        Tuning::Tuned(tuned) => tuned_in_words(tuned, arguments.out.as_deref()),
+        Tuning::Impossible(impossible) => impossible_in_words(impossible, request),
     })
 }
 
-fn tuned_in_words(tuned: &Tuned, out: Option<&Path>) -> String {
+fn tuned_in_words(tuned: &TunedScenario, out: Option<&Path>) -> String {
     let mut text = String::new();
     if tuned.changes.is_empty() {
         text += "Nothing needs to change.\n";

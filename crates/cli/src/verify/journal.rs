@@ -7,7 +7,7 @@ use crate::say::diagnostic::CliError;
 use crate::say::failures::difference::Difference;
 use crate::verify::shard::{MAX_TRIALS, Shard};
 use serde::{Deserialize, Serialize};
-use slideway_verify::{Campaign, Statement, Trial};
+use slideway_verify::{Statement, Trial};
 use std::path::Path;
 
 /// Name of the journal in a campaign's folder.
@@ -57,21 +57,6 @@ pub(crate) struct Held {
 }
 
 impl CampaignIdentity {
-    pub(crate) fn new(campaign: &Campaign, files: NamedFiles, shard: Shard) -> Self {
-        let request = campaign.request();
-        Self {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            scenario: request.name.clone(),
-            text: request.text.clone(),
-            files,
-            method: request.method.clone(),
-            seed: request.seed,
-            trials: request.trials,
-            shard,
-            statement: campaign.statement().clone(),
-        }
-    }
-
     /// The first thing in which two campaigns differ, whatever their shards.
     pub(crate) fn difference_of_campaigns(&self, now: &Self) -> Option<Difference> {
         let method = |method: &Option<String>| method.clone().unwrap_or_else(|| "not given".into());

@@ -14,34 +14,46 @@ use crate::keep::journal::Journal;
 use crate::keep::parallel::{Work, jobs};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::verify::VerifyFailure;
-use crate::say::loaded::{scenario_error, source};
+use crate::say::loaded::{load, scenario_error};
 use crate::say::output::{Outcome, print, print_json};
 use crate::verify::journal::{CampaignIdentity, Held, SmallestCase, TRIALS};
 use crate::verify::output::Finished;
 use crate::verify::results::{Results, first_failures};
 use crate::verify::shard::{MAX_TRIALS, Shard};
 use slideway_lab::in_parallel;
-use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError, verify_options};
+use slideway_scenario::AnyScenario;
+use slideway_verify::{Campaign, CampaignRequest, Trial, VerifyError};
 use std::fs;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Seed of the disturbances where neither the command nor the scenario gives one.
 const SEED: u64 = 1;
 
 /// States what is guaranteed and holds it against random trials.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<Outcome, CliError> {
-    let campaign = campaign(arguments)?;
-    let files = files::read(&campaign.request().text, &arguments.scenario)?;
-    let name = &campaign.request().name;
+    let scenario = load(&arguments.scenario)?;
+    let campaign = campaign(arguments, &scenario)?;
+    let files = files::read(scenario.text(), &arguments.scenario)?;
+    let name = scenario.name();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(format!("verify-{name}")));
     fs::create_dir_all(&out).map_err(|source| CliError::Write { path: out.clone(), source })?;
-    let identity = CampaignIdentity::new(&campaign, files, arguments.shard.unwrap_or(Shard::WHOLE));
+    let identity = CampaignIdentity {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scenario: name.to_owned(),
+        text: scenario.text().to_owned(),
+        files,
+        method: arguments.method.clone(),
+        seed: campaign.request().seed,
+        trials: campaign.request().trials,
+        shard: arguments.shard.unwrap_or(Shard::WHOLE),
+        statement: campaign.statement().clone(),
+    };
     let (journal, held) = journal::open(&out.join(TRIALS), &identity)?;
     if !arguments.json {
         print(&table::statement(name, campaign.statement()));
     }
-    let work = Campaigning { campaign: &campaign, journal: &journal, file: &arguments.scenario };
+    let work = Campaigning { campaign: &campaign, scenario: &scenario, journal: &journal, file: &arguments.scenario };
     let (trials, smallest) = work.finish(&identity, held, jobs(arguments.jobs))?;
     let finished = Finished { identity: &identity, trials: &trials, smallest: &smallest };
     let results = finished.results();
@@ -77,19 +89,17 @@ fn show_shard(results: &Results, shard: Shard, out: &Path, json: bool) -> Result
     Ok(if results.holds { Outcome::Holds } else { Outcome::Fails })
 }
 
-fn campaign(arguments: &VerifyArguments) -> Result<Campaign, CliError> {
-    let (name, text) = source(&arguments.scenario)?;
-    let unusable = |error| pointed(error, None, &arguments.scenario, &text);
-    let own = verify_options(&name, &text).map_err(unusable)?;
+fn campaign(arguments: &VerifyArguments, scenario: &AnyScenario) -> Result<Campaign, CliError> {
+    let unusable = |error| scenario_error(error, &arguments.scenario, Some(scenario.text().to_owned()));
+    let options = scenario.verify_options().map_err(unusable)?;
     let request = CampaignRequest {
-        name,
-        file: Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists()),
-        method: arguments.method.clone(),
-        seed: arguments.seed.or(own.seed).unwrap_or(SEED),
-        trials: trials(arguments, own.trials)?,
-        text: text.clone(),
+        options,
+        grid_points: scenario.grid_points(),
+        seed: arguments.seed.or(options.seed).unwrap_or(SEED),
+        trials: trials(arguments, options.trials)?,
     };
-    Campaign::new(request).map_err(unusable)
+    let subject = scenario.subject(arguments.method.as_deref()).map_err(unusable)?;
+    Campaign::new(subject, request).map_err(|error| pointed(error, None, &arguments.scenario, scenario.text()))
 }
 
 /// What the command asks for, else the scenario, else the quick level.
@@ -106,7 +116,7 @@ fn trials(arguments: &VerifyArguments, own: Option<u64>) -> Result<u64, CliError
 /// An error of the scenario points at its place in the text; others say in which trial they came up.
 fn pointed(error: VerifyError, trial: Option<u64>, file: &str, text: &str) -> CliError {
     match (error, trial) {
-        (VerifyError::Scenario(error), None) => scenario_error(error, file, Some(text.to_owned())),
+        (VerifyError::Problem(error), None) => scenario_error(error, file, Some(text.to_owned())),
         (VerifyError::Optimum(error), None) => error.into(),
         (error, trial) => VerifyFailure::Trial { error: Box::new(error), trial, file: file.to_owned() }.into(),
     }
@@ -115,6 +125,7 @@ fn pointed(error: VerifyError, trial: Option<u64>, file: &str, text: &str) -> Cl
 /// A campaign under way.
 struct Campaigning<'a> {
     campaign: &'a Campaign,
+    scenario: &'a AnyScenario,
     journal: &'a Journal,
     /// What the user called the scenario.
     file: &'a str,
@@ -159,7 +170,9 @@ impl Campaigning<'_> {
             // A smaller case that fails in another way is no case of this guarantee.
             let fails = |trial: &Trial| trial.checks.iter().any(|c| c.guarantee == guarantee && !c.kept());
             let trial = if fails(&found) { found } else { first.clone() };
-            let scenario = self.campaign.scenario_of(&trial).map_err(in_trial)?;
+            let method = &self.campaign.statement().method;
+            let text = self.scenario.of_trial(&trial, method, self.campaign.request().seed);
+            let scenario = text.map_err(|error| scenario_error(error, self.file, None))?;
             let case = SmallestCase { guarantee, trial, scenario };
             self.journal.append(&case)?;
             Ok(case)
@@ -168,6 +181,6 @@ impl Campaigning<'_> {
     }
 
     fn in_trial(&self, error: VerifyError, trial: u64) -> CliError {
-        pointed(error, Some(trial), self.file, &self.campaign.request().text)
+        pointed(error, Some(trial), self.file, self.scenario.text())
     }
 }

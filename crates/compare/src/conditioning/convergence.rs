@@ -1,7 +1,7 @@
 use crate::error::CompareError;
 use crate::progress::{Stage, Steps};
+use crate::rivals::qp_filter_trace;
 use serde::Serialize;
-use slideway_baselines::rivals::qp_filter_trace;
 use slideway_lab::conditioning::{ConditioningProblem, PathMethod, distances, run_conditioner};
 
 /// Distance of the sliding mode from the QP path at one sampling period.

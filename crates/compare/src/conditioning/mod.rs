@@ -5,8 +5,8 @@ pub(crate) mod summary;
 
 use crate::error::{CompareError, check_shares};
 use crate::progress::{Stage, Steps, Watch};
+use crate::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
 use convergence::{Convergence, convergence};
-use slideway_baselines::rivals::{ProjectedTrace, potential_field_trace, projection_trace, qp_filter_trace};
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, PathMethod, PathMethodSummary, run_conditioner,
 };

@@ -1,6 +1,6 @@
 use crate::conditioning::convergence::Convergence;
+use crate::rivals::ProjectedTrace;
 use serde::Serialize;
-use slideway_baselines::rivals::ProjectedTrace;
 use slideway_lab::conditioning::{PathDisturbances, PathMethod, PathMethodSummary};
 
 /// A comparison of path conditioners in numbers and words. Times in s, lengths in m.
@@ -56,7 +56,7 @@ pub struct ConditioningVerdict {
 
 impl ConditioningVerdict {
     pub(crate) fn new(methods: &[PathMethodSummary], constraints: &[String], tolerance: Option<f64>) -> Self {
-        let method = PathMethod::SlidingMode;
+        let method = PathMethod::JUDGED;
         let find = |wanted: PathMethod| methods.iter().find(|m| m.method == wanted);
         let Some(entry) = find(method) else {
             let sentence = "No: the sliding mode was not run.".into();

@@ -48,6 +48,9 @@ impl PathMethod {
         }
     }
 
+    /// The form that a verdict is about where nothing else is chosen.
+    pub const JUDGED: Self = Self::SlidingMode;
+
     /// Whether it is one of the conditioner's forms.
     #[must_use]
     pub fn is_conditioner(self) -> bool {

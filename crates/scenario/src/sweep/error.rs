@@ -52,14 +52,6 @@ pub enum SweepError {
         /// The other.
         second: String,
     },
-    /// A method that this kind of scenario does not run in a sweep.
-    #[error("there is no method `{name}` for sweeps of this scenario")]
-    UnknownMethod {
-        /// What was given.
-        name: String,
-        /// What there is.
-        known: Vec<&'static str>,
-    },
     /// Seeds for a scenario that draws nothing.
     #[error("`{scenario}` draws no random numbers: every seed gives the same run")]
     NothingRandom {
@@ -107,7 +99,6 @@ impl SweepError {
             Self::NoElement { length: 0, .. } => "the list is empty; set it as a whole".into(),
             Self::NoElement { length, .. } => format!("count the elements from 0 to {}", length - 1),
             Self::Overlap { .. } => "keep one of them; --seeds sets `trap.seed` and `disturbances.seed`".into(),
-            Self::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
             Self::NothingRandom { .. } => "leave out --seeds, or sweep over parameters with --grid KEY=V1,V2".into(),
             Self::Runs { .. } => "ask for fewer seeds or a coarser grid, and give every grid key a value".into(),
             Self::Columns => "sweep each set of constraints by itself".into(),

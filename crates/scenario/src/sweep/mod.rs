@@ -1,4 +1,5 @@
-//! Many runs of one scenario: over the seeds of its random walk, over a grid of parameters, or both.
+//! Plans of many runs of one scenario: over the seeds of its random walk, over a grid of parameters, or both. [`slideway_compare::sweep`] makes
+//! the runs.
 //!
 //! A [`SweepPlan`] numbers its runs; what a run yields depends on the plan and the number alone, so any number of threads
 //! and any number of interruptions give the same rows.
@@ -14,21 +15,14 @@
 //! ```
 
 mod cell;
-mod columns;
 mod error;
 mod plan;
 mod request;
-mod row;
-mod run;
 mod setting;
-mod statistics;
 mod summary;
 
 pub use error::SweepError;
 pub use plan::{MAX_RUNS, SweepPlan};
 pub use request::SweepRequest;
-pub use row::SweepRow;
-pub use run::{RowSink, run_sweep};
 pub use setting::{Axis, Setting, shown};
-pub use statistics::{Statistics, quantile};
-pub use summary::{CellSummary, Failures, SweepSummary, SweepTotals};
+pub use summary::{CellSummary, SweepSummary};

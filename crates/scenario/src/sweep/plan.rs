@@ -1,8 +1,8 @@
 use super::cell::Cell;
 use super::error::SweepError;
 use super::request::SweepRequest;
-use super::row::SweepRow;
 use super::setting::{Axis, overlap};
+use slideway_compare::sweep::SweepRow;
 use toml::Value;
 
 /// Most runs of a sweep: their rows are kept in memory for the summary.
@@ -15,6 +15,7 @@ const SEED_KEYS: [&str; 2] = ["trap.seed", "disturbances.seed"];
 #[derive(Clone, Debug)]
 pub struct SweepPlan {
     request: SweepRequest,
+    method: String,
     cells: Vec<Cell>,
     columns: Vec<String>,
     runs: usize,
@@ -35,14 +36,18 @@ impl SweepPlan {
             .into_iter()
             .map(|values| Cell::new(&request, values))
             .collect::<Result<Vec<_>, _>>()?;
-        let columns = cells.first().map(Cell::columns).unwrap_or_default();
-        if cells.iter().any(|cell| cell.columns() != columns) {
+        let columns = cells.first().map(|cell| cell.columns.clone()).unwrap_or_default();
+        if cells.iter().any(|cell| cell.columns != columns) {
             return Err(SweepError::Columns);
         }
         if request.seeds.is_some() && !cells.iter().all(Cell::is_random) {
             return Err(SweepError::NothingRandom { scenario: request.name });
         }
-        Ok(Self { request, cells, columns, runs })
+        let method = match (&request.method, cells.first()) {
+            (Some(method), _) => method.clone(),
+            (None, first) => first.map_or(Ok(""), Cell::judged_method)?.to_owned(),
+        };
+        Ok(Self { request, method, cells, columns, runs })
     }
 
     /// What was asked for.
@@ -51,10 +56,10 @@ impl SweepPlan {
         &self.request
     }
 
-    /// Name of the method that runs.
+    /// Name of the method that runs: the one asked for, else the one that a comparison of the first cell judges.
     #[must_use]
-    pub fn method(&self) -> &'static str {
-        self.cells.first().map_or("", Cell::method)
+    pub fn method(&self) -> &str {
+        &self.method
     }
 
     /// Names of a row's values, with their units.
@@ -105,7 +110,7 @@ impl SweepPlan {
     /// [`SweepError::Cell`] where the robot cannot follow the path; [`SweepError::Runs`] beyond the last run.
     pub fn run(&self, run: usize) -> Result<SweepRow, SweepError> {
         match self.cells.get(self.cell_of(run)) {
-            Some(cell) => cell.run(run, self.seed_of(run)),
+            Some(cell) => cell.run(run, &self.method, self.seed_of(run)),
             None => Err(SweepError::Runs { runs: run as u64, most: self.runs as u64 }),
         }
     }

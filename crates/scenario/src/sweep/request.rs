@@ -10,7 +10,7 @@ pub struct SweepRequest {
     pub text: String,
     /// Its file, if it has one: files that the scenario names lie beside it.
     pub file: Option<PathBuf>,
-    /// The method; without one the explicit sliding mode.
+    /// The method; without one the one that a comparison judges.
     pub method: Option<String>,
     /// Seeds `1..=N` of the random walk and the disturbances; without them the scenario's own.
     pub seeds: Option<u64>,

@@ -1,7 +1,6 @@
 use super::plan::SweepPlan;
-use super::row::SweepRow;
-use super::statistics::Statistics;
 use serde::Serialize;
+use slideway_compare::sweep::{SweepRow, SweepTotals};
 use std::collections::BTreeMap;
 
 /// A finished sweep: totals over all runs and over each cell of the grid.
@@ -33,30 +32,6 @@ pub struct CellSummary {
     pub totals: SweepTotals,
 }
 
-/// What some runs come to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SweepTotals {
-    /// How many.
-    pub runs: usize,
-    /// Which of them failed.
-    pub failures: Failures,
-    /// Median, 95th percentile and maximum of every column of the rows.
-    pub columns: BTreeMap<String, Statistics>,
-}
-
-/// Runs that did not complete or broke a constraint.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Failures {
-    /// How many; a run that did both counts once.
-    pub total: usize,
-    /// Runs whose reference did not reach its end.
-    pub not_completed: usize,
-    /// Runs in which some `σ_i <= 0` did not hold.
-    pub broken: usize,
-    /// Their numbers.
-    pub runs: Vec<usize>,
-}
-
 impl SweepSummary {
     /// Summarises the rows of a plan, all of them, in its order.
     #[must_use]
@@ -72,31 +47,14 @@ impl SweepSummary {
             seeds: request.seeds,
             set: request.settings.iter().map(|s| (s.key.clone(), s.value.clone())).collect(),
             grid: request.axes.iter().map(|a| (a.key.clone(), a.values.clone())).collect(),
-            all: SweepTotals::new(plan, rows),
+            all: SweepTotals::new(plan.columns(), rows),
             cells: rows
                 .chunk_by(|a, b| plan.cell_of(a.run) == plan.cell_of(b.run))
                 .map(|rows| CellSummary {
                     grid: key_and_value(rows.first().map_or(0, |row| plan.cell_of(row.run))),
-                    totals: SweepTotals::new(plan, rows),
+                    totals: SweepTotals::new(plan.columns(), rows),
                 })
                 .collect(),
-        }
-    }
-}
-
-impl SweepTotals {
-    fn new(plan: &SweepPlan, rows: &[SweepRow]) -> Self {
-        let values = |i: usize| rows.iter().filter_map(move |row| row.values.get(i).copied().flatten());
-        let column = |(i, name): (usize, &String)| (name.clone(), Statistics::new(values(i)));
-        Self {
-            runs: rows.len(),
-            failures: Failures {
-                total: rows.iter().filter(|row| row.failed()).count(),
-                not_completed: rows.iter().filter(|row| !row.completed).count(),
-                broken: rows.iter().filter(|row| row.broken > 0).count(),
-                runs: rows.iter().filter(|row| row.failed()).map(|row| row.run).collect(),
-            },
-            columns: plan.columns().iter().enumerate().map(column).collect(),
         }
     }
 }

@@ -10,7 +10,6 @@ use slideway_conditioner::path::SwitchingLaw;
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, MarginChoice, PathMethod, PathMethodSummary, Phase, run_conditioner,
 };
-use slideway_scenario::ConditioningScenario;
 
 /// Rounding of `φ`: some 30 operations on positions of up to 10 m, and the smallest push's systems with conditions of up to 1e2, m.
 const ROUNDING: f64 = 1e-11;
@@ -58,8 +57,8 @@ impl Statement {
     /// # Errors
     ///
     /// A scenario that cannot be used.
-    pub fn for_conditioning(scenario: &ConditioningScenario, method: Option<PathMethod>) -> Result<Self, VerifyError> {
-        ConditioningCase::new(scenario.problem()?, method.unwrap_or(PathMethod::SlidingMode))?.statement()
+    pub fn for_conditioning(problem: ConditioningProblem, method: PathMethod) -> Result<Self, VerifyError> {
+        ConditioningCase::new(problem, method)?.statement()
     }
 }
 

@@ -3,7 +3,6 @@ use super::{conditioning, speed_loop, speed_observed};
 use crate::error::VerifyError;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem};
 use slideway_lab::{Experiment, Method, Trace};
-use slideway_scenario::Scenario;
 
 /// One number that a run showed.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,8 +54,8 @@ impl Observer {
     /// # Errors
     ///
     /// The inverse kinematics fails at a place it passed while tracing.
-    pub fn for_speed(scenario: &Scenario, experiment: &Experiment, method: Method) -> Result<Self, VerifyError> {
-        Ok(Self::of_loop(speed_loop::loop_on(scenario, experiment, method)?.0))
+    pub fn for_speed(experiment: &Experiment, method: Method, grid_points: usize) -> Result<Self, VerifyError> {
+        Ok(Self::of_loop(speed_loop::loop_on(experiment, method, grid_points)?.0))
     }
 
     /// For runs in a loop already looked at.

@@ -10,7 +10,6 @@ use crate::error::VerifyError;
 use slideway_conditioner::bounds::Signals;
 use slideway_lab::{Experiment, Method, Trace};
 use slideway_path::SampledPath;
-use slideway_scenario::Scenario;
 
 /// What a statement about a speed law rests on, as numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,11 +53,9 @@ pub(crate) struct SpeedCase {
 }
 
 impl SpeedCase {
-    /// For a method, or the one that `compare` judges.
-    pub(crate) fn new(scenario: &Scenario, method: Option<Method>) -> Result<Self, VerifyError> {
-        let experiment = scenario.experiment()?;
-        let method = method.map_or_else(|| experiment.judged_method(scenario.judged_method()), Ok)?;
-        let (looked, path) = loop_on(scenario, &experiment, method)?;
+    /// For a method; the optimum is solved on a grid of so many points.
+    pub(crate) fn new(experiment: Experiment, method: Method, grid_points: usize) -> Result<Self, VerifyError> {
+        let (looked, path) = loop_on(&experiment, method, grid_points)?;
         let trace = experiment.run(method)?;
         let (nominal, measures) = (looked.signals(&trace), looked.measures(&trace));
         let ([optimum_s, lower_s, upper_s], closed) = (looked.optimum, path.speed_limited_time());
@@ -140,15 +137,15 @@ fn pace(looked: &Loop, nominal: &SpeedSignals) -> (f64, Asked) {
 }
 
 impl Statement {
-    /// What is guaranteed of a speed scenario, for the method that `compare` judges or another one.
+    /// What is guaranteed of a speed law on a path.
     ///
-    /// Runs the scenario once without disturbances; solves for the certified optimum under the speed limits.
+    /// Runs the experiment once; solves for the certified optimum under the speed limits on a grid of so many points.
     ///
     /// # Errors
     ///
-    /// A scenario that cannot be used, or a path without an optimum.
-    pub fn for_speed(scenario: &Scenario, method: Option<Method>) -> Result<Self, VerifyError> {
-        Ok(SpeedCase::new(scenario, method)?.statement())
+    /// A method that cannot be run, or a path without an optimum.
+    pub fn for_speed(experiment: Experiment, method: Method, grid_points: usize) -> Result<Self, VerifyError> {
+        Ok(SpeedCase::new(experiment, method, grid_points)?.statement())
     }
 }
 

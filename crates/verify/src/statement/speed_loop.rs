@@ -6,18 +6,17 @@ use crate::error::VerifyError;
 use slideway_baselines::time_optimal::time_optimum;
 use slideway_lab::{Experiment, Method};
 use slideway_path::SampledPath;
-use slideway_scenario::Scenario;
 
 /// Samples between the grid points of the optimum at which the path's drift is read.
 const BETWEEN: usize = 7;
 
-/// The loop a run of this scenario is judged in, and its path.
+/// The loop that a run of this experiment is judged in, and its path.
 pub(crate) fn loop_on(
-    scenario: &Scenario,
     experiment: &Experiment,
     method: Method,
+    grid_points: usize,
 ) -> Result<(Loop, SampledPath), VerifyError> {
-    let path = experiment.sample(scenario.grid_points(), BETWEEN)?;
+    let path = experiment.sample(grid_points, BETWEEN)?;
     let limits = Loop::limits(&path).ok_or(VerifyError::NoLimits)?;
     let found = time_optimum(&nodes_alone(&path))?;
     let looked = Loop {

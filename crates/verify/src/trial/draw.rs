@@ -1,11 +1,9 @@
+use super::disturbances::TrialDisturbances;
+use crate::options::VerifyOptions;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_xorshift::XorShiftRng;
-use slideway_lab::Disturbances;
-use slideway_lab::conditioning::PathDisturbances;
-use slideway_scenario::VerifyOptions;
-use toml::{Table, Value};
 
-/// Kinds of disturbances, by their keys in the table `[disturbances]`.
+/// Kinds of disturbances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     InitialError,
@@ -18,15 +16,16 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    pub(crate) fn key(self) -> &'static str {
+    /// Whether a trial has it.
+    pub(crate) fn is_in(self, disturbances: &TrialDisturbances) -> bool {
         match self {
-            Self::InitialError => "initial_error",
-            Self::JointNoise => "joint_noise",
-            Self::JointOffset => "joint_offset",
-            Self::SpeedError => "speed_error",
-            Self::DistanceNoise => "distance_noise",
-            Self::Delay => "delay",
-            Self::Jitter => "jitter",
+            Self::InitialError => disturbances.initial_error.is_some(),
+            Self::JointNoise => disturbances.joint_noise.is_some(),
+            Self::JointOffset => disturbances.joint_offset.is_some(),
+            Self::SpeedError => disturbances.speed_error.is_some(),
+            Self::DistanceNoise => disturbances.distance_noise.is_some(),
+            Self::Delay => disturbances.delay.is_some(),
+            Self::Jitter => disturbances.jitter.is_some(),
         }
     }
 }
@@ -141,56 +140,31 @@ impl Draw {
         Self { parts: self.parts.iter().filter(|part| keep(part.kind)).cloned().collect(), ..self.clone() }
     }
 
-    /// For a run of a speed scenario.
-    pub(crate) fn for_speed(&self) -> Disturbances {
-        Disturbances {
-            seed: self.seed,
-            initial_error: self.list(Kind::InitialError),
-            joint_noise: self.number(Kind::JointNoise),
-            joint_offset: self.list(Kind::JointOffset),
-            speed_error: self.list(Kind::SpeedError),
-            delay: self.samples(),
-            jitter: self.number(Kind::Jitter),
-        }
+    /// The disturbances at this size: what is zero is left out.
+    pub(crate) fn disturbances(&self) -> TrialDisturbances {
+        let list = |kind| self.part(kind).map(|_| self.list(kind)).filter(|_| self.size > 0.0);
+        let number = |kind| Some(self.number(kind)).filter(|number| *number > 0.0);
+        let mut found = TrialDisturbances {
+            delay: Some(self.samples()).filter(|delay| *delay > 0),
+            distance_noise: number(Kind::DistanceNoise),
+            initial_error: list(Kind::InitialError),
+            jitter: number(Kind::Jitter),
+            joint_noise: number(Kind::JointNoise),
+            joint_offset: list(Kind::JointOffset),
+            seed: None,
+            speed_error: list(Kind::SpeedError),
+        };
+        let is_random = found.joint_noise.or(found.distance_noise).or(found.jitter).is_some();
+        found.seed = is_random.then_some(self.seed);
+        found
     }
 
-    /// For a run of a conditioning scenario.
-    pub(crate) fn for_conditioning(&self) -> PathDisturbances {
-        let error = self.list(Kind::InitialError);
-        PathDisturbances {
-            seed: self.seed,
-            initial_error: std::array::from_fn(|i| error.get(i).copied().unwrap_or(0.0)),
-            distance_noise: self.number(Kind::DistanceNoise),
-            delay: self.samples(),
-            jitter: self.number(Kind::Jitter),
-        }
-    }
-
-    /// The same as the table `[disturbances]` of a scenario: what is zero is left out.
-    pub(crate) fn table(&self) -> Table {
-        let mut table = Table::new();
-        for part in &self.parts {
-            let value = match part.kind {
-                Kind::InitialError | Kind::JointOffset | Kind::SpeedError => {
-                    Some(Value::from(self.list(part.kind))).filter(|_| self.size > 0.0)
-                }
-                Kind::Delay => Some(self.samples()).filter(|delay| *delay > 0).map(Value::from),
-                Kind::JointNoise | Kind::DistanceNoise | Kind::Jitter => {
-                    Some(self.number(part.kind)).filter(|number| *number > 0.0).map(Value::from)
-                }
-            };
-            table.extend(value.map(|value| (part.kind.key().to_owned(), value)));
-        }
-        if [Kind::JointNoise, Kind::DistanceNoise, Kind::Jitter].iter().any(|kind| table.contains_key(kind.key())) {
-            // 53 bits.
-            table.insert("seed".to_owned(), Value::Integer(self.seed.cast_signed()));
-        }
-        table
+    fn part(&self, kind: Kind) -> Option<&Part> {
+        self.parts.iter().find(|part| part.kind == kind)
     }
 
     fn list(&self, kind: Kind) -> Vec<f64> {
-        let part = self.parts.iter().find(|part| part.kind == kind);
-        part.map_or_else(Vec::new, |part| part.full.iter().map(|full| self.size * full).collect())
+        self.part(kind).map_or_else(Vec::new, |part| part.full.iter().map(|full| self.size * full).collect())
     }
 
     fn number(&self, kind: Kind) -> f64 {
@@ -216,7 +190,8 @@ mod tests {
     #[test]
     fn draws_stay_inside_their_ranges_and_scale_with_their_size() {
         for draw in draws() {
-            let (whole, half) = (draw.for_speed(), draw.at(0.5 * draw.size()).for_speed());
+            let (whole, half) =
+                (draw.disturbances().for_speed(), draw.at(0.5 * draw.size()).disturbances().for_speed());
             let s = draw.size();
             assert!(s > 0.0 && s <= 1.0);
             assert!(whole.initial_error.iter().all(|e| e.abs() <= 0.05 * s));
@@ -257,8 +232,8 @@ mod tests {
         let options = VerifyOptions { delay: Some(0), jitter: Some(0.0), ..VerifyOptions::default() };
         let ranges = Ranges::of_speed(&options, 2, 2.0);
         for number in 0..100 {
-            let table = Draw::new(1, number, &ranges).table();
-            assert!(!table.contains_key("delay") && !table.contains_key("jitter"));
+            let found = Draw::new(1, number, &ranges).disturbances();
+            assert!(found.delay.is_none() && found.jitter.is_none());
         }
     }
 }

@@ -1,11 +1,13 @@
 //! Trials: what they are, how they are drawn, run and judged.
 
+pub(crate) mod disturbances;
 pub(crate) mod draw;
 pub(crate) mod path;
 pub(crate) mod smallest;
 pub(crate) mod speed;
 
 use crate::statement::{Guarantee, Statement};
+use disturbances::TrialDisturbances;
 use serde::{Deserialize, Serialize};
 
 /// One guarantee held against one trial.
@@ -85,7 +87,7 @@ pub struct Trial {
     #[serde(with = "crate::number")]
     pub size: f64,
     /// The disturbances, as the `[disturbances]` table of a scenario.
-    pub disturbances: toml::Table,
+    pub disturbances: TrialDisturbances,
     /// Names of the hypotheses that this trial did not keep; guarantees that rest on them were not checked. Beside those of the
     /// statement: what every statement takes for granted of the loop, see [`crate::Campaign::trial`].
     pub outside: Vec<String>,
@@ -160,4 +162,19 @@ pub(crate) fn held_against(
         }
     }
     checks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_measured_fails_and_still_fits_into_json() {
+        for value in [f64::NAN, f64::INFINITY] {
+            let check = Check::at_most("g", value, 1.0, "1");
+            assert!(!check.kept());
+            let text = serde_json::to_string(&check).expect("writes");
+            assert_eq!(serde_json::from_str::<Check>(&text).expect("reads"), check);
+        }
+    }
 }

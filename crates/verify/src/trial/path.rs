@@ -3,12 +3,12 @@
 use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
+use crate::options::VerifyOptions;
 use crate::statement::{ConditioningCase, Guarantee, Observer, PUSH_ROUNDING, Statement, excess, recovery_rate};
 use slideway_conditioner::path::Reserve;
 use slideway_lab::conditioning::{
     ConditionedTrace, ConditioningProblem, PathDisturbances, PathMethod, Phase, Shape3, run_conditioner,
 };
-use slideway_scenario::ConditioningScenario;
 
 const RESERVE: Always = Always {
     name: "path-reserve",
@@ -44,13 +44,17 @@ pub(crate) struct PathSubject {
 
 impl PathSubject {
     /// The subject, and what is stated of it.
-    pub(crate) fn new(scenario: &ConditioningScenario, method: PathMethod) -> Result<(Self, Statement), VerifyError> {
-        let case = ConditioningCase::new(scenario.problem()?, method)?;
+    pub(crate) fn new(
+        problem: ConditioningProblem,
+        method: PathMethod,
+        options: &VerifyOptions,
+    ) -> Result<(Self, Statement), VerifyError> {
+        let case = ConditioningCase::new(problem, method)?;
         let mut statement = case.statement()?;
         let ConditioningCase { problem, trace: nominal, .. } = case;
         let subject = Self {
             observer: Observer::for_conditioning(problem.clone()),
-            ranges: Ranges::of_conditioning(&scenario.verify_options()?, extent(&problem)),
+            ranges: Ranges::of_conditioning(options, extent(&problem)),
             // A formula may depend on time by itself.
             moving: problem.constraints.iter().any(|c| c.is_carried() || matches!(c.shape, Shape3::Formula(_))),
             problem,

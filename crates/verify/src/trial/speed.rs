@@ -3,9 +3,9 @@
 use super::draw::{Draw, Ranges};
 use super::{Always, Check, Judgement, held_against};
 use crate::error::VerifyError;
+use crate::options::VerifyOptions;
 use crate::statement::{Guarantee, Observed, Observer, SpeedCase, Statement};
 use slideway_lab::{Disturbances, Experiment, Method, MethodSummary, Sample, Trace};
-use slideway_scenario::Scenario;
 
 const COMMAND: Always = Always {
     name: "command-within-limits",
@@ -59,14 +59,19 @@ pub(crate) struct SpeedSubject {
 
 impl SpeedSubject {
     /// The subject, what is stated of it, and how its run without a trial's disturbances is judged.
-    pub(crate) fn new(scenario: &Scenario, method: Option<Method>) -> Result<(Self, Statement), VerifyError> {
-        let case = SpeedCase::new(scenario, method)?;
+    pub(crate) fn new(
+        experiment: Experiment,
+        method: Method,
+        grid_points: usize,
+        options: &VerifyOptions,
+    ) -> Result<(Self, Statement), VerifyError> {
+        let case = SpeedCase::new(experiment, method, grid_points)?;
         let mut statement = case.statement();
         let SpeedCase { experiment, trace: nominal, looked, acceleration, varying, .. } = case;
         let limits = looked.limits.lower().iter().zip(looked.limits.upper());
         let subject = Self {
             method: looked.method,
-            ranges: Ranges::of_speed(&scenario.verify_options()?, experiment.joints(), extent(&nominal)),
+            ranges: Ranges::of_speed(options, experiment.joints(), extent(&nominal)),
             limits: limits.take(experiment.joints()).map(|(lo, up)| [*lo, *up]).collect(),
             acceleration,
             by_joints: looked.by_joints,
@@ -83,10 +88,6 @@ impl SpeedSubject {
             statement.guarantees.extend(check.map(|check| always.guarantee(check)));
         }
         Ok((subject, statement))
-    }
-
-    pub(crate) fn method(&self) -> Method {
-        self.method
     }
 
     pub(crate) fn draw(&self, seed: u64, number: u64) -> Draw {

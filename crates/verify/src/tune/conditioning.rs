@@ -1,10 +1,8 @@
-use super::document::{Setting, replaced};
-use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions};
 use crate::error::VerifyError;
 use crate::statement::{ConditioningCase, Statement, room, shown_down, shown_up};
 use slideway_conditioner::path::SwitchingLaw;
-use slideway_lab::conditioning::PathMethod;
-use slideway_scenario::ConditioningScenario;
+use slideway_lab::conditioning::{ConditioningProblem, PathMethod};
 
 /// How often the push is adapted to what the run shows of the drift.
 const ROUNDS: usize = 8;
@@ -13,8 +11,7 @@ const ROUNDS: usize = 8;
 const FASTEST_RATE: f64 = 1e6;
 
 struct Candidate {
-    text: String,
-    changes: Vec<super::Change>,
+    values: [ProposedValue; 2],
     case: ConditioningCase,
     statement: Statement,
     strength: f64,
@@ -29,100 +26,119 @@ enum Found {
     Loses,
 }
 
-pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
-    match at(request, request.rate)? {
-        Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(report(*candidate)))),
-        Found::TooCoarse { amplitude } => Ok(TuneOutcome::Impossible(Impossible {
+/// Proposes parameters of the conditioner. `with` gives the problem with values in the place of its own.
+///
+/// # Errors
+///
+/// Numbers that are not positive, a method that nothing is claimed about, a problem that cannot be run, and errors of `with`.
+pub fn tune_conditioning<E: From<VerifyError>>(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+    request: TuneRequest,
+    with: impl Fn(&[ProposedValue]) -> Result<ConditioningProblem, E>,
+) -> Result<TuneOutcome, E> {
+    request.check()?;
+    let tuner = Tuner { request, method, push: Push::of(problem.law), with };
+    Ok(match tuner.at(request.rate)? {
+        Found::Does(candidate) => TuneOutcome::Tuned(Box::new(report(*candidate))),
+        Found::TooCoarse { amplitude } => TuneOutcome::Impossible(Impossible {
             reason: format!("at {} Hz the push that beats the drift of one sample moves φ further", request.rate),
-            rate: enough(request, amplitude)?,
+            rate: tuner.enough(amplitude)?,
             chattering: Some(shown_up(amplitude)),
-        })),
-        Found::Loses => Ok(TuneOutcome::Impossible(Impossible {
+        }),
+        Found::Loses => TuneOutcome::Impossible(Impossible {
             reason:
                 "constraints that act together share one push, and it drives one of them outwards, whatever its length"
                     .into(),
             rate: None,
             chattering: None,
-        })),
-    }
-}
-
-/// Length or gain of the push as the scenario has it.
-fn strength(law: SwitchingLaw) -> (&'static str, f64, &'static str) {
-    match law {
-        SwitchingLaw::Normalised { amplitude } => ("conditioner.law.normalised.amplitude", amplitude, "m"),
-        SwitchingLaw::Sum { gain } => ("conditioner.law.sum.gain", gain, "1"),
-    }
-}
-
-fn parsed(request: &TuneRequest, text: &str) -> Result<ConditioningScenario, VerifyError> {
-    let scenario = ConditioningScenario::parse(&request.name, text)?;
-    Ok(match &request.file {
-        Some(file) => scenario.in_folder_of(file),
-        None => scenario,
+        }),
     })
 }
 
-fn candidate(request: &TuneRequest, rate: f64, wanted: Option<f64>) -> Result<Candidate, VerifyError> {
-    let (key, given, unit) = strength(parsed(request, &request.text)?.problem()?.law);
-    let strength = wanted.unwrap_or(given);
-    let settings = [
-        Setting { key: "conditioner.sampling_period", value: 1.0 / rate, unit: "s" },
-        Setting { key, value: strength, unit },
-    ];
-    let (text, changes) = replaced(&request.text, &settings)?;
-    let case = ConditioningCase::new(parsed(request, &text)?.problem()?, PathMethod::SlidingMode)?;
-    let statement = case.statement()?;
-    Ok(Candidate { text, changes, case, statement, strength })
+/// The push as the problem has it: its key, its length or gain, and the unit.
+struct Push {
+    key: &'static str,
+    strength: f64,
+    unit: &'static str,
 }
 
-/// Keeps the scenario's push where it lies between what the drift needs and what the amplitude allows, else takes the nearer end.
-fn at(request: &TuneRequest, rate: f64) -> Result<Found, VerifyError> {
-    let mut tried = candidate(request, rate, None)?;
-    for _ in 0..ROUNDS {
-        let amplitude = bound(&tried.statement, "chattering");
-        let contact = tried.case.nominal();
-        let enough = contact.push_share * (1.0 + MARGIN) <= 1.0;
-        if amplitude <= request.chattering && enough && tried.statement.holds() && tried.case.completed() {
-            return Ok(Found::Does(Box::new(tried)));
-        }
-        if contact.push_share == f64::INFINITY {
-            return Ok(Found::Loses);
-        }
-        // Where the reserve answers, the push is too weak by an amount that the run does not tell.
-        let short = if contact.reserve > 0.0 { 1.5 } else { contact.push_share * (1.0 + MARGIN) * 1.02 };
-        let least = tried.strength * short;
-        let fall = room(contact.fall).max(0.25 * contact.rise);
-        let most = 0.99 * tried.strength * (request.chattering - fall) / room(contact.push);
-        if !(least <= most) || room(contact.rise) > request.chattering {
-            let needed = (room(contact.push) * least / tried.strength + fall).max(room(contact.rise));
-            return Ok(Found::TooCoarse { amplitude: needed.max(1.02 * request.chattering) });
-        }
-        tried = candidate(
-            request,
-            rate,
-            Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))),
-        )?;
+impl Push {
+    fn of(law: SwitchingLaw) -> Self {
+        let (key, strength, unit) = match law {
+            SwitchingLaw::Normalised { amplitude } => ("conditioner.law.normalised.amplitude", amplitude, "m"),
+            SwitchingLaw::Sum { gain } => ("conditioner.law.sum.gain", gain, "1"),
+        };
+        Self { key, strength, unit }
     }
-    Ok(Found::TooCoarse { amplitude: (1.05 * request.chattering).max(room(tried.case.nominal().push)) })
 }
 
-/// A rate at which the amplitude can be kept, tried before it is named.
-fn enough(request: &TuneRequest, amplitude: f64) -> Result<Option<f64>, VerifyError> {
-    let by = |amplitude: f64| (amplitude / request.chattering).clamp(1.05, 4.0);
-    let mut rate = request.rate * by(amplitude);
-    for _ in 0..8 {
-        rate = shown_up(1.03 * rate);
-        if !(rate < FASTEST_RATE) {
-            return Ok(None);
-        }
-        match at(request, rate)? {
-            Found::Does(_) => return Ok(Some(rate)),
-            Found::TooCoarse { amplitude } => rate *= by(amplitude),
-            Found::Loses => return Ok(None),
-        }
+struct Tuner<W> {
+    request: TuneRequest,
+    method: PathMethod,
+    push: Push,
+    with: W,
+}
+
+impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<ConditioningProblem, E>> Tuner<W> {
+    fn candidate(&self, rate: f64, wanted: Option<f64>) -> Result<Candidate, E> {
+        let strength = wanted.unwrap_or(self.push.strength);
+        let values = [
+            ProposedValue { key: "conditioner.sampling_period", value: 1.0 / rate, unit: "s" },
+            ProposedValue { key: self.push.key, value: strength, unit: self.push.unit },
+        ];
+        let case = ConditioningCase::new((self.with)(&values)?, self.method)?;
+        let statement = case.statement()?;
+        Ok(Candidate { values, case, statement, strength })
     }
-    Ok(None)
+
+    /// Keeps the scenario's push where it lies between what the drift needs and what the amplitude allows, else takes the nearer end.
+    fn at(&self, rate: f64) -> Result<Found, E> {
+        let mut tried = self.candidate(rate, None)?;
+        for _ in 0..ROUNDS {
+            let amplitude = bound(&tried.statement, "chattering");
+            let contact = tried.case.nominal();
+            let enough = contact.push_share * (1.0 + MARGIN) <= 1.0;
+            if amplitude <= self.request.chattering && enough && tried.statement.holds() && tried.case.completed() {
+                return Ok(Found::Does(Box::new(tried)));
+            }
+            if contact.push_share == f64::INFINITY {
+                return Ok(Found::Loses);
+            }
+            // Where the reserve answers, the push is too weak by an amount that the run does not tell.
+            let short = if contact.reserve > 0.0 { 1.5 } else { contact.push_share * (1.0 + MARGIN) * 1.02 };
+            let least = tried.strength * short;
+            let fall = room(contact.fall).max(0.25 * contact.rise);
+            let most = 0.99 * tried.strength * (self.request.chattering - fall) / room(contact.push);
+            if !(least <= most) || room(contact.rise) > self.request.chattering {
+                let needed = (room(contact.push) * least / tried.strength + fall).max(room(contact.rise));
+                return Ok(Found::TooCoarse { amplitude: needed.max(1.02 * self.request.chattering) });
+            }
+            tried = self.candidate(
+                rate,
+                Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))),
+            )?;
+        }
+        Ok(Found::TooCoarse { amplitude: (1.05 * self.request.chattering).max(room(tried.case.nominal().push)) })
+    }
+
+    /// A rate at which the amplitude can be kept, tried before it is named.
+    fn enough(&self, amplitude: f64) -> Result<Option<f64>, E> {
+        let by = |amplitude: f64| (amplitude / self.request.chattering).clamp(1.05, 4.0);
+        let mut rate = self.request.rate * by(amplitude);
+        for _ in 0..8 {
+            rate = shown_up(1.03 * rate);
+            if !(rate < FASTEST_RATE) {
+                return Ok(None);
+            }
+            match self.at(rate)? {
+                Found::Does(_) => return Ok(Some(rate)),
+                Found::TooCoarse { amplitude } => rate *= by(amplitude),
+                Found::Loses => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
 }
 
 fn report(candidate: Candidate) -> Tuned {
@@ -145,9 +161,8 @@ fn report(candidate: Candidate) -> Tuned {
     ];
     Tuned {
         predictions: predictions(&candidate.statement),
-        changes: candidate.changes,
+        values: candidate.values.to_vec(),
         trade_off,
         statement: candidate.statement,
-        text: candidate.text,
     }
 }

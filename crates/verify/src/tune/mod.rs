@@ -1,44 +1,36 @@
 //! Parameters that satisfy the hypotheses with a margin, for a chattering amplitude and a sampling rate that are given.
 
 mod conditioning;
-mod document;
 mod speed;
+
+pub use conditioning::tune_conditioning;
+pub use speed::tune_speed;
 
 use crate::error::VerifyError;
 use crate::statement::Statement;
 use serde::{Deserialize, Serialize};
-use slideway_scenario::AnyScenario;
-use std::path::PathBuf;
 
 /// Share by which every hypothesis about the settings is to hold.
 pub const MARGIN: f64 = 0.2;
 
-/// What is asked for.
-#[derive(Clone, Debug, PartialEq)]
+/// A tuning as it is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TuneRequest {
-    /// Name of the scenario.
-    pub name: String,
-    /// Its text.
-    pub text: String,
-    /// Its file, if it has one: files that the scenario names lie beside it.
-    pub file: Option<PathBuf>,
     /// Greatest chattering amplitude: of the desired joint speeds as a share of their limits, or of `φ` in m.
     pub chattering: f64,
     /// Sampling rate, Hz.
     pub rate: f64,
 }
 
-/// A value of the scenario that is replaced.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Change {
-    /// Its key.
-    pub key: String,
-    /// As it stands in the scenario.
-    pub before: String,
-    /// As proposed.
-    pub after: f64,
+/// A value that is proposed for a key of the scenario.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProposedValue {
+    /// The key, dotted.
+    pub key: &'static str,
+    /// The value.
+    pub value: f64,
     /// Its unit.
-    pub unit: String,
+    pub unit: &'static str,
 }
 
 /// What is predicted, beside what one run of the tuned scenario gave.
@@ -59,18 +51,16 @@ pub struct Prediction {
 }
 
 /// Parameters that do.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Tuned {
-    /// What is replaced; values that stay as they are are not here.
-    pub changes: Vec<Change>,
+    /// The values, those that stay as they are among them.
+    pub values: Vec<ProposedValue>,
     /// The trade-off that was made, in words.
     pub trade_off: Vec<String>,
-    /// What the tuned scenario guarantees, and what it gave.
+    /// What the tuned problem guarantees, and what it gave.
     pub predictions: Vec<Prediction>,
-    /// The statement of the tuned scenario.
+    /// The statement of the tuned problem.
     pub statement: Statement,
-    /// The scenario's text with the values replaced; comments and order stay.
-    pub text: String,
 }
 
 /// Why there are none, and what would do.
@@ -85,8 +75,7 @@ pub struct Impossible {
 }
 
 /// What came of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum TuneOutcome {
     /// Parameters that do.
     Tuned(Box<Tuned>),
@@ -94,20 +83,14 @@ pub enum TuneOutcome {
     Impossible(Impossible),
 }
 
-/// Proposes parameters for a scenario of either kind.
-///
-/// # Errors
-///
-/// A scenario that cannot be used, numbers that are not positive, or a method that nothing is claimed about.
-pub fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
-    for (what, value) in [("chattering", request.chattering), ("rate", request.rate)] {
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(VerifyError::NotPositive { what, value });
+impl TuneRequest {
+    fn check(&self) -> Result<(), VerifyError> {
+        for (what, value) in [("chattering", self.chattering), ("rate", self.rate)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(VerifyError::NotPositive { what, value });
+            }
         }
-    }
-    match AnyScenario::parse(&request.name, &request.text)? {
-        AnyScenario::Speed(_) => speed::tune(request),
-        AnyScenario::Conditioning(_) => conditioning::tune(request),
+        Ok(())
     }
 }
 

@@ -1,9 +1,7 @@
-use super::document::{Setting, replaced};
-use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions};
 use crate::error::VerifyError;
 use crate::statement::{SpeedCase, Statement, shown_down, shown_up};
-use slideway_lab::Method;
-use slideway_scenario::Scenario;
+use slideway_lab::{Experiment, Method};
 
 /// Filter steps beyond this gain nothing: what the switching costs, about `a / 2` of the speed, is more than what the approach saves.
 const LARGEST_STEP: f64 = 0.2;
@@ -16,21 +14,31 @@ const FASTEST_RATE: f64 = 1e6;
 
 /// One trial of parameters.
 struct Candidate {
-    text: String,
-    changes: Vec<super::Change>,
+    values: [ProposedValue; 4],
     case: SpeedCase,
     statement: Statement,
     step: f64,
 }
 
-pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
-    let case = SpeedCase::new(&scenario(request, &request.text)?, None)?;
-    let method = case.looked.method;
+/// Proposes parameters of a speed law. `with` gives the experiment with values in the place of its own; the optimum is solved on
+/// a grid of so many points.
+///
+/// # Errors
+///
+/// Numbers that are not positive, a method that nothing is claimed about, an experiment that cannot be run, and errors of `with`.
+pub fn tune_speed<E: From<VerifyError>>(
+    experiment: Experiment,
+    method: Method,
+    grid_points: usize,
+    request: TuneRequest,
+    with: impl Fn(&[ProposedValue]) -> Result<Experiment, E>,
+) -> Result<TuneOutcome, E> {
+    request.check()?;
     if !method.bounds_chattering() {
-        return Err(VerifyError::NoClaims { method: method.name().to_owned() });
+        return Err(VerifyError::NoClaims { method: method.name().to_owned() }.into());
     }
-    let start = Start::of(&case);
-    let tuner = Tuner { request, method };
+    let start = Start::of(&SpeedCase::new(experiment, method, grid_points)?);
+    let tuner = Tuner { request, method, grid_points, with };
     match tuner.at(request.rate, &start)? {
         Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate, &start)?))),
         Found::Singular => Ok(TuneOutcome::Impossible(Impossible {
@@ -49,14 +57,6 @@ pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
             chattering: amplitude.is_finite().then(|| shown_up(amplitude)),
         })),
     }
-}
-
-fn scenario(request: &TuneRequest, text: &str) -> Result<Scenario, VerifyError> {
-    let scenario = Scenario::parse(&request.name, text)?;
-    Ok(match &request.file {
-        Some(file) => scenario.in_folder_of(file),
-        None => scenario,
-    })
 }
 
 /// What the path asks whatever the parameters.
@@ -83,26 +83,26 @@ enum Found {
     Singular,
 }
 
-struct Tuner<'a> {
-    request: &'a TuneRequest,
+struct Tuner<W> {
+    request: TuneRequest,
     method: Method,
+    grid_points: usize,
+    with: W,
 }
 
-impl Tuner<'_> {
-    fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Candidate, VerifyError> {
+impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tuner<W> {
+    fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Candidate, E> {
         let gain = start.gain.min(shown_down(rate / (1.0 + MARGIN)));
-        let settings = [
-            Setting { key: "control.sampling_period", value: 1.0 / rate, unit: "s" },
-            Setting { key: "control.bandwidth", value: shown_down(step * rate), unit: "rad/s" },
-            Setting { key: "control.target_rate", value: start.target_rate, unit: "1/s" },
-            Setting { key: "control.gain", value: gain, unit: "1/s" },
+        let values = [
+            ProposedValue { key: "control.sampling_period", value: 1.0 / rate, unit: "s" },
+            ProposedValue { key: "control.bandwidth", value: shown_down(step * rate), unit: "rad/s" },
+            ProposedValue { key: "control.target_rate", value: start.target_rate, unit: "1/s" },
+            ProposedValue { key: "control.gain", value: gain, unit: "1/s" },
         ];
-        let (text, changes) = replaced(&self.request.text, &settings)?;
-        let scenario = scenario(self.request, &text)?;
-        let case = SpeedCase::new(&scenario, Some(self.method))?;
+        let case = SpeedCase::new((self.with)(&values)?, self.method, self.grid_points)?;
         let statement = case.statement();
         let step = case.looked.control.filter_step();
-        Ok(Candidate { text, changes, case, statement, step })
+        Ok(Candidate { values, case, statement, step })
     }
 
     /// The slowest filter whose fall beats the path's drift with the margin; 0 where none is needed.
@@ -115,7 +115,7 @@ impl Tuner<'_> {
     /// Adapts the filter until its chattering is what was asked for, or the drift wants a faster one.
     ///
     /// The bound is affine in the step, `c (a g + X)`, but for what the run changes of `g` and `X`: a secant through the origin's value.
-    fn at(&self, rate: f64, start: &Start) -> Result<Found, VerifyError> {
+    fn at(&self, rate: f64, start: &Start) -> Result<Found, E> {
         let mut candidate = self.candidate(rate, LARGEST_STEP.min(20.0 / rate), start)?;
         for round in 0..ROUNDS {
             let slowest = self.slowest(&candidate);
@@ -158,7 +158,7 @@ impl Tuner<'_> {
     }
 
     /// A rate at which the amplitude can be kept: it goes with the period, but for what the settings round. Tried before it is named.
-    fn enough(&self, amplitude: f64, start: &Start) -> Result<Option<f64>, VerifyError> {
+    fn enough(&self, amplitude: f64, start: &Start) -> Result<Option<f64>, E> {
         let by = |amplitude: f64| (amplitude / self.request.chattering).clamp(1.05, 4.0);
         let mut rate = self.request.rate * by(amplitude);
         for _ in 0..8 {
@@ -175,7 +175,7 @@ impl Tuner<'_> {
         Ok(None)
     }
 
-    fn report(&self, candidate: Candidate, start: &Start) -> Result<Tuned, VerifyError> {
+    fn report(&self, candidate: Candidate, start: &Start) -> Result<Tuned, E> {
         let mut trade_off = vec![self.filter_in_words(&candidate)];
         trade_off.extend(self.slower_in_words(&candidate, start)?);
         let (control, fastest) = (candidate.case.looked.control, candidate.case.numbers.fastest_rate);
@@ -184,18 +184,17 @@ impl Tuner<'_> {
              in proportion.",
             100.0 * (control.target_rate / fastest - 1.0)
         ));
-        if let Some(change) = candidate.changes.iter().find(|c| c.key == "control.gain") {
-            let (before, after) = (&change.before, change.after);
+        let (before, after) = (start.gain, control.gain);
+        if after < before {
             trade_off.push(format!(
                 "The gain comes down from {before} to {after}: the position loop must not overshoot, Kp Ts <= 1."
             ));
         }
         Ok(Tuned {
             predictions: predictions(&candidate.statement),
-            changes: candidate.changes,
+            values: candidate.values.to_vec(),
             trade_off,
             statement: candidate.statement,
-            text: candidate.text,
         })
     }
 
@@ -215,7 +214,7 @@ impl Tuner<'_> {
     }
 
     /// What the slowest filter with the margin would do, run as well.
-    fn slower_in_words(&self, candidate: &Candidate, start: &Start) -> Result<Option<String>, VerifyError> {
+    fn slower_in_words(&self, candidate: &Candidate, start: &Start) -> Result<Option<String>, E> {
         let slowest = 1.01 * self.slowest(candidate);
         if !(slowest > 0.0 && slowest < 0.95 * candidate.step) {
             return Ok(None);

@@ -1,3 +1,4 @@
+use slideway_scenario::{NoKey, TuningError};
 use slideway_verify::VerifyError;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -43,11 +44,21 @@ impl VerifyFailure {
     }
 }
 
-/// What to do about a scenario that cannot be verified or tuned.
-pub(crate) fn of_campaign(error: &VerifyError) -> String {
+/// What to do about a scenario that cannot be tuned.
+pub(crate) fn of_tuning(error: &TuningError) -> String {
     match error {
-        VerifyError::Scenario(error) => error.remedy(),
-        VerifyError::UnknownMethod { known, .. } => format!("choose one of {}", known.join(", ")),
+        TuningError::Scenario(error) => error.remedy(),
+        TuningError::Verify(error) => of_campaign(error),
+        TuningError::NoKey(NoKey { key }) => {
+            format!("give the scenario a value for `{key}`, for example from `slideway init`")
+        }
+    }
+}
+
+/// What to do about a problem that cannot be verified.
+fn of_campaign(error: &VerifyError) -> String {
+    match error {
+        VerifyError::Problem(error) => error.remedy(),
         VerifyError::NoLimits => "give joint-speed limits below zero and above it".into(),
         VerifyError::Optimum(_) => {
             "give a path that avoids singular configurations, and limits that some motion keeps".into()
@@ -56,9 +67,6 @@ pub(crate) fn of_campaign(error: &VerifyError) -> String {
             "choose one of the conditioner's forms with `compare.method` or --method".into()
         }
         VerifyError::NotPositive { .. } => "give a positive finite number".into(),
-        VerifyError::NoKey { key } => {
-            format!("give the scenario a value for `{key}`, for example from `slideway init`")
-        }
         VerifyError::NoTrial { .. } => "ask for more trials with --trials".into(),
     }
 }

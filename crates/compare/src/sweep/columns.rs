@@ -49,7 +49,9 @@ const SPEED: [Column<MethodSummary>; 10] = [
     Column { name: "chattering_bound", read: |s| s.chattering.map(|c| c.bound) },
 ];
 
-pub(crate) fn conditioning_names(constraints: &[String]) -> Vec<String> {
+/// Names of the values of a row about path conditioning, with their units: some for each constraint.
+#[must_use]
+pub fn conditioning_columns(constraints: &[String]) -> Vec<String> {
     let plain = CONDITIONING.iter().map(|c| c.name.to_owned());
     let each = labels(constraints);
     let named = |label: &String| PER_CONSTRAINT.iter().map(|c| c.name.replace('@', label)).collect::<Vec<_>>();
@@ -62,7 +64,9 @@ pub(crate) fn conditioning_values(summary: &PathMethodSummary) -> Vec<Option<f64
     plain.chain(each).map(finite).collect()
 }
 
-pub(crate) fn speed_names() -> Vec<String> {
+/// Names of the values of a row about a speed law, with their units.
+#[must_use]
+pub fn speed_columns() -> Vec<String> {
     SPEED.iter().map(|c| c.name.to_owned()).collect()
 }
 

@@ -1,6 +1,6 @@
 use super::{Placed, empty, instants, sample, share_deviation};
-use crate::safety_filter::dense::DualActiveSet;
-use crate::safety_filter::{FilterSettings, QpFilter};
+use slideway_baselines::safety_filter::dense::DualActiveSet;
+use slideway_baselines::safety_filter::{FilterSettings, QpFilter};
 use slideway_conditioner::path::Motion;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, PathMethod, Phase};
 

@@ -1,5 +1,5 @@
 use super::{Placed, empty, instants, sample};
-use crate::potential_field::PotentialField;
+use slideway_baselines::potential_field::PotentialField;
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, MAX_CONSTRAINTS, PathMethod, Phase};
 

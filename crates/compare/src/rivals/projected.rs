@@ -1,9 +1,9 @@
 use super::{Placed, empty, instants, sample, share_deviation};
-use crate::projection::beside_ball::BesideBall;
-use crate::projection::convex::{self, ConvexSet};
-use crate::projection::multi_start::{Effort, nearest};
-use crate::projection::outside_ellipsoid::OutsideEllipsoid;
-use crate::projection::{Projection, ProjectionError};
+use slideway_baselines::projection::beside_ball::BesideBall;
+use slideway_baselines::projection::convex::{self, ConvexSet};
+use slideway_baselines::projection::multi_start::{Effort, nearest};
+use slideway_baselines::projection::outside_ellipsoid::OutsideEllipsoid;
+use slideway_baselines::projection::{Projection, ProjectionError};
 use slideway_conditioner::path::Motion;
 use slideway_conditioner::shapes::Side;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, NamedConstraint, PathMethod, Phase, Shape3};

@@ -1,23 +1,38 @@
 //! Values of a scenario's text, replaced where they stand.
 
-use super::Change;
-use crate::error::VerifyError;
+use serde::{Deserialize, Serialize};
+use slideway_verify::ProposedValue;
 use std::ops::Range;
+use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A value to be given to a key.
-pub(super) struct Setting {
-    pub(super) key: &'static str,
-    pub(super) value: f64,
-    pub(super) unit: &'static str,
+/// A value of the scenario that is replaced.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Change {
+    /// Its key.
+    pub key: String,
+    /// As it stands in the scenario.
+    pub before: String,
+    /// As proposed.
+    pub after: f64,
+    /// Its unit.
+    pub unit: String,
+}
+
+/// A key that the scenario does not have.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("the scenario has no `{key}` to change")]
+pub struct NoKey {
+    /// The key.
+    pub key: String,
 }
 
 /// The text with the values replaced and what was changed; keys whose value stays the same are left alone.
-pub(super) fn replaced(text: &str, settings: &[Setting]) -> Result<(String, Vec<Change>), VerifyError> {
+pub(crate) fn replaced(text: &str, values: &[ProposedValue]) -> Result<(String, Vec<Change>), NoKey> {
     let mut edits: Vec<(Range<usize>, Change)> = Vec::new();
-    for Setting { key, value, unit } in settings {
-        let span = span(text, key).ok_or_else(|| VerifyError::NoKey { key: (*key).to_owned() })?;
+    for ProposedValue { key, value, unit } in values {
+        let span = span(text, key).ok_or_else(|| NoKey { key: (*key).to_owned() })?;
         let before = text[span.clone()].to_owned();
         if before.parse() != Ok(*value) {
             edits.push((span, Change { key: (*key).to_owned(), before, after: *value, unit: (*unit).to_owned() }));
@@ -34,7 +49,7 @@ pub(super) fn replaced(text: &str, settings: &[Setting]) -> Result<(String, Vec<
 }
 
 /// A number as TOML: plain where that is short.
-pub(super) fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     let plain = value.to_string();
     if plain.len() <= 8 { plain } else { format!("{value:e}") }
 }
@@ -59,13 +74,13 @@ mod tests {
     fn a_value_is_replaced_where_it_stands_and_nothing_else_is() {
         let text = "# keep\n[control]\nbandwidth = 5 # rad/s\nlaw.sum.gain = \"2 * 3\"\ntarget_rate = 4\n";
         let settings = [
-            Setting { key: "control.target_rate", value: 4.0, unit: "1/s" },
-            Setting { key: "control.law.sum.gain", value: 0.000_012_5, unit: "1" },
-            Setting { key: "control.bandwidth", value: 7.5, unit: "rad/s" },
+            ProposedValue { key: "control.target_rate", value: 4.0, unit: "1/s" },
+            ProposedValue { key: "control.law.sum.gain", value: 0.000_012_5, unit: "1" },
+            ProposedValue { key: "control.bandwidth", value: 7.5, unit: "rad/s" },
         ];
         let (changed, changes) = replaced(text, &settings).expect("every key is there");
         assert_eq!(changed, "# keep\n[control]\nbandwidth = 7.5 # rad/s\nlaw.sum.gain = 1.25e-5\ntarget_rate = 4\n");
         assert_eq!(changes.len(), 2);
-        assert!(replaced(text, &[Setting { key: "control.gain", value: 1.0, unit: "1/s" }]).is_err());
+        assert!(replaced(text, &[ProposedValue { key: "control.gain", value: 1.0, unit: "1/s" }]).is_err());
     }
 }

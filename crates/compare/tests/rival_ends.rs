@@ -1,6 +1,6 @@
 //! Rivals and conditioner end at the same sample, whether or not the sampling period divides the reference's duration.
 
-use slideway_baselines::rivals::{potential_field_trace, projection_trace, qp_filter_trace};
+use slideway_compare::rivals::{potential_field_trace, projection_trace, qp_filter_trace};
 use slideway_lab::conditioning::{PathMethod, distances, run_conditioner};
 use slideway_scenario::ConditioningScenario;
 
