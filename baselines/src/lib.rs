@@ -1,4 +1,4 @@
-//! Offline optima and rival methods, each solution re-checked by a certificate that does not trust the solver.
+#![doc = include_str!("../README.md")]
 
 pub mod outward;
 pub mod path_bracket;

@@ -2,7 +2,7 @@
 
 use crate::page::{Block, Page, all, root};
 use crate::support::slideway;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Commands that are held against the command line without being run, and why.
 const ONLY_PARSED: [(&str, &str); 5] = [
@@ -58,6 +58,7 @@ fn what_else_a_page_tells_a_reader_to_type_is_known_and_its_scripts_exist() {
         for (place, line) in shell_lines(&page) {
             let words = split(without_comment(&line));
             let known = match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+                ["cargo", "run", "--release", "-p", package, "--example", name, ..] => example(package, name).exists(),
                 ["slideway", ..] | ["cargo", "run" | "install" | "doc" | "test", ..] => true,
                 // `crates/capi/check` runs these.
                 ["cmake", "-S", folder, ..] => root().join(folder).join("CMakeLists.txt").exists(),
@@ -67,6 +68,28 @@ fn what_else_a_page_tells_a_reader_to_type_is_known_and_its_scripts_exist() {
             };
             assert!(known, "{place}: `{line}`");
         }
+    }
+}
+
+/// The file of an example.
+fn example(package: &str, name: &str) -> PathBuf {
+    let room = package.trim_start_matches("slideway-");
+    let folder = if room == "baselines" { room.to_owned() } else { format!("crates/{room}") };
+    root().join(folder).join("examples").join(format!("{name}.rs"))
+}
+
+#[test]
+fn the_examples_of_the_library_page_are_short_and_run_in_ci() {
+    let ci = std::fs::read_to_string(root().join(".ci/run")).expect("reads");
+    let page = Page::read("docs/library.md");
+    let lines = shell_lines(&page).into_iter().map(|(_, line)| without_comment(&line).to_owned());
+    let examples: Vec<String> = lines.filter(|line| line.contains("--example")).collect();
+    assert_eq!(examples.len(), 5, "{examples:?}");
+    for line in examples {
+        let words = split(&line);
+        let text = std::fs::read_to_string(example(&words[4], &words[6])).expect("an example");
+        assert!(text.lines().count() < 60, "{line}: {} lines", text.lines().count());
+        assert!(ci.contains(&format!("example {} {}\n", words[4], words[6])), "{line}: not in .ci/run");
     }
 }
 

@@ -1,28 +1,4 @@
-//! Comparisons as values: every method run on one problem, beside the best that any method could do, with a verdict.
-//!
-//! [`compare_speed`] runs every speed law on a path and puts it beside the certified time optimum; [`compare_conditioning`] runs
-//! every path conditioner on a reference and puts it beside the projection, the nearest allowed point at each instant. Both take
-//! values and return values: they read no file, write none, print nothing and know no terminal. A caller sees how far a comparison
-//! has come through a function of [`Progress`], which may end it. [`mod@sweep`] makes many runs and tells each in a row of numbers.
-//!
-//! ```
-//! use slideway_compare::{SpeedOptions, compare_speed, unwatched};
-//! use slideway_scenario::Scenario;
-//!
-//! let scenario = Scenario::parse(
-//!     "mine",
-//!     "limits.speed = 1
-//!      control = { gain = 10, sampling_period = 1e-3, bandwidth = 10, target_rate = 5 }
-//!      path.joints.line = { from = [0], to = [1] }
-//!      robot.dh = [{ a = 0.5, alpha = 0, d = 0 }]",
-//! )?;
-//! let experiment = scenario.experiment()?;
-//! let options = SpeedOptions { grid_points: 100, ..SpeedOptions::named("one joint") };
-//! let comparison = compare_speed(&experiment, &options, &mut unwatched)?;
-//! assert!(comparison.summary.optimum.certified);
-//! println!("{}", comparison.summary.verdict.sentence);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 mod conditioning;
 mod error;

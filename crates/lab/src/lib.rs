@@ -1,30 +1,4 @@
-//! From a problem to traces and metrics: one problem, one loop, every speed law; path conditioning and natural motion beside it.
-//!
-//! A problem is a path with its limits and a controller; no file is needed:
-//!
-//! ```
-//! use slideway_conditioner::SpeedLimits;
-//! use slideway_lab::{ControlSettings, Experiment, LookAheadOptions, Method, Problem};
-//! use slideway_path::{JointCurve, PathProblem, Reference};
-//! use slideway_robot::models::Model;
-//!
-//! let (from, to) = ([0.0, 0.5].into(), [1.0, 0.9].into());
-//! let reference = Reference::Joint(JointCurve::line(from, to, 0.0..1.0));
-//! let arm = Model::Planar2R.describe()?.arm()?;
-//! let path = PathProblem::new(arm, reference, from, SpeedLimits::new([-1.0, -1.0], [1.0, 1.0])?);
-//! let control = ControlSettings {
-//!     gain: 10.0,
-//!     sampling_period: 1e-3,
-//!     bandwidth: 20.0,
-//!     target_rate: 2.0,
-//!     max_duration: None,
-//!     look_ahead: LookAheadOptions::default(),
-//! };
-//! let experiment = Experiment::try_from(Problem::new(path, control))?;
-//! let trace = experiment.run(Method::SlidingModeImplicit)?;
-//! assert!(trace.finish_s.is_some());
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 pub mod conditioning;
 mod disturbances;

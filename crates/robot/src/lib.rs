@@ -1,15 +1,4 @@
-//! Serial arms: kinematics, Jacobians and their inverses, rigid-body dynamics, URDF and SRDF, built-in models.
-//!
-//! Units are SI (m, rad, s). Frames: poses and Jacobians are expressed in the base frame, the Jacobian's reference point
-//! is the tool's origin, its first three rows are linear and its last three angular.
-//!
-//! ```
-//! use slideway_robot::{models, SerialArm};
-//!
-//! let arm: SerialArm<6> = models::puma560();
-//! let pose = arm.forward(&[0.0, 0.8, -2.6, 3.1, 1.1, 2.8].into());
-//! assert!(pose.translation.vector.norm() < 1.0);
-//! ```
+#![doc = include_str!("../README.md")]
 
 mod arm;
 mod assembly;
