@@ -1,19 +1,30 @@
 //! The QP safety filter and the potential field, against the conditioner and the figures of an independent run.
 
+#[path = "oracles/conic_push.rs"]
+mod conic_push;
 #[path = "../../crates/conditioner/tests/support/mod.rs"]
 mod support;
 
+use conic_push::ConicPush;
 use proptest::prelude::*;
 use slideway_baselines::potential_field::PotentialField;
-use slideway_baselines::safety_filter::conic::ConicPush;
 use slideway_baselines::safety_filter::dense::DualActiveSet;
-use slideway_baselines::safety_filter::enumeration::Enumeration;
+use slideway_baselines::safety_filter::enumeration::smallest;
 use slideway_baselines::safety_filter::{FilterSettings, QpFilter, SmallestPush};
 use slideway_conditioner::path::Motion;
 use support::{PATH_RATE, distance, first_example, helix_beside_sphere, implicit, plane_and_sphere, run};
 
 fn settings(period: f64, rounds: usize) -> FilterSettings<2> {
     FilterSettings { period, cutoff: 20.0, approach: [0.1; 2], rounds }
+}
+
+/// The enumeration of all active sets as a solver.
+struct Enumeration;
+
+impl SmallestPush for Enumeration {
+    fn smallest(&mut self, rows: &[Vec<f64>], bounds: &[f64]) -> Option<Vec<f64>> {
+        smallest(rows, bounds)
+    }
 }
 
 /// Largest distance between the implicit form's path and the filter's, over the first example.

@@ -4,9 +4,11 @@
 //! the conditioner in each form, and the QP safety filter on the same push filter, constraints and reference, with a dense
 //! active-set method and with Clarabel. Trap walks are measured before one ellipsoid.
 
-use slideway_baselines::safety_filter::{
-    FilterSettings, QpFilter, SmallestPush, conic::ConicPush, dense::DualActiveSet,
-};
+#[path = "../../tests/oracles/conic_push.rs"]
+mod conic_push;
+
+use conic_push::ConicPush;
+use slideway_baselines::safety_filter::{FilterSettings, QpFilter, SmallestPush, dense::DualActiveSet};
 use slideway_conditioner::PathConditioner;
 use slideway_conditioner::path::{
     Constraint, ConstraintSample, Margin, Motion, PathForm, PathSettings, Reserve, SwitchingLaw, TrapSettings, Walk,

@@ -2,18 +2,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::SmallestPush;
-
-/// The enumeration as a solver.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Enumeration;
-
-impl SmallestPush for Enumeration {
-    fn smallest(&mut self, rows: &[Vec<f64>], bounds: &[f64]) -> Option<Vec<f64>> {
-        smallest(rows, bounds)
-    }
-}
-
 /// The smallest vector with `g_iᵀ u <= b_i`: the shortest feasible one among the minimum-norm solutions of all subsets of
 /// equations. `None` if no subset gives a feasible one.
 #[must_use]

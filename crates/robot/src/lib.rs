@@ -25,7 +25,6 @@ mod rotation;
 mod spherical_wrist;
 pub mod srdf;
 mod urdf;
-mod wrist_partitioned;
 mod xml;
 
 pub use arm::{LinkFrames, SerialArm};
@@ -49,7 +48,6 @@ pub use restarts::PositionRanges;
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
 pub use urdf::{ChainEnds, ForeignFormat, UrdfError, UrdfFault, UrdfPlace};
-pub use wrist_partitioned::WristPartitionedIk;
 
 /// Position and orientation of a frame, stored as a rotation matrix and a vector.
 pub type Pose = nalgebra::IsometryMatrix3<f64>;

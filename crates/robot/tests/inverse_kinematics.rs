@@ -1,13 +1,16 @@
 //! Closed-form solutions for every spherical wrist, numeric ones within joint limits, and the built-in models.
 
+mod wrist_partitioned;
+
 use nalgebra::{Rotation3, Translation3, Unit, Vector3};
 use proptest::prelude::*;
 use slideway_robot::models::{self, Model};
 use slideway_robot::{
     DhRow, Joint, JointKind, JointVector, NumericIk, NumericIkSettings, Pose, PositionRange, RobotError, SerialArm,
-    Task, WristPartitionedIk, manipulability, rotation_vector,
+    Task, manipulability, rotation_vector,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use wrist_partitioned::WristPartitionedIk;
 
 fn joints<const N: usize>() -> impl Strategy<Value = JointVector<N>> {
     prop::collection::vec(-3.0..3.0_f64, N).prop_map(JointVector::from_vec)

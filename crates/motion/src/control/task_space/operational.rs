@@ -1,5 +1,4 @@
 use super::super::limit::TorqueLimits;
-use super::JointGuard;
 use crate::MotionError;
 use crate::error::{not_negative, positive};
 use nalgebra::SMatrix;
@@ -23,8 +22,6 @@ pub struct OperationalOutput<const N: usize> {
     pub torque: JointVector<N>,
     /// Joints whose torque was cut.
     pub cut: [bool; N],
-    /// Joints held back before their stops.
-    pub held_back: [bool; N],
     /// What the tool's acceleration will miss of the one asked for, by the model and before torques are cut, m/s² and rad/s².
     pub shortfall: Twist,
 }
@@ -48,13 +45,12 @@ pub struct OperationalOutput<const N: usize> {
 /// Guaranteed by the model: exact wherever all effective inertias are below `m`; elsewhere the shortfall is confined to the
 /// directions of higher inertia and never larger there than what is asked for (and the posture damping's part in them); the
 /// kinetic-energy norm of `q̈` stays below `sqrt(m) |ẍ - J̇ q̇|` (without posture damping); all is continuous in the position, `1 / max(s, 1/m)`
-/// being continuous on the spectrum. The joints' guard comes after that and has the last word.
+/// being continuous on the spectrum. A guard of the joints ([`super::JointGuard`]) may come after it.
 #[derive(Clone, Debug)]
 pub struct OperationalSpace<const N: usize> {
     dynamics: Dynamics<N>,
     task: Task,
     settings: OperationalSettings,
-    guard: Option<JointGuard<N>>,
     largest: TorqueLimits<N>,
 }
 
@@ -78,13 +74,7 @@ impl<const N: usize> OperationalSpace<N> {
         if N < rows {
             return Err(RobotError::NotSquare { rows, joints: N }.into());
         }
-        Ok(Self { dynamics, task, settings, guard: None, largest: TorqueLimits::new(largest)? })
-    }
-
-    /// The same controller with the joints kept off their stops.
-    #[must_use]
-    pub fn with_guard(self, guard: JointGuard<N>) -> Self {
-        Self { guard: Some(guard), ..self }
+        Ok(Self { dynamics, task, settings, largest: TorqueLimits::new(largest)? })
     }
 
     /// The model.
@@ -112,15 +102,11 @@ impl<const N: usize> OperationalSpace<N> {
         let arm = self.dynamics.arm();
         let jacobian = arm.jacobian(q);
         let bias = arm.bias_acceleration(q, qd);
-        let wanted = self.joint_acceleration(&jacobian, q, qd, &(acceleration - bias));
-        let (qdd, held_back) = match &self.guard {
-            Some(guard) => guard.hold_back(q, qd, &wanted),
-            None => (wanted, [false; N]),
-        };
+        let qdd = self.joint_acceleration(&jacobian, q, qd, &(acceleration - bias));
         let torque = self.dynamics.inverse(q, qd, &qdd) - jacobian.transpose() * self.task.select(external);
         let shortfall = self.task.select(&(acceleration - jacobian * qdd - bias));
         let output = self.largest.cut(&torque);
-        OperationalOutput { torque: output.torque, cut: output.cut, held_back, shortfall }
+        OperationalOutput { torque: output.torque, cut: output.cut, shortfall }
     }
 
     /// Joint accelerations for the part of the tool's acceleration that they make; NaN if there is no mass matrix.

@@ -1,13 +1,13 @@
-use crate::{JointKind, JointVector, Pose, RobotError, SerialArm};
 use nalgebra::{Matrix3, Rotation3, Vector3};
+use slideway_robot::{JointKind, JointVector, Pose, RobotError, SerialArm};
 use std::f64::consts::TAU;
 
-/// Closed-form inverse kinematics of six-axis arms whose last three axes meet in a point, from any description: all
+/// The closed-form twin of the numeric inverse kinematics, for six-axis arms whose last three axes meet in a point, from any description: all
 /// solutions, up to eight.
 ///
 /// Needs six revolute joints; axes 4, 5, 6 through one point, neighbours not parallel; axes 2 and 3 parallel; axis 1 not
 /// parallel to them. Signs of twists, offsets and the zero position are free, so DH tables and URDF files both serve. (For
-/// arms with PUMA's DH table [`crate::SphericalWristIk`] names the branches.)
+/// arms with PUMA's DH table [`slideway_robot::SphericalWristIk`] names the branches.)
 ///
 /// With the arm as a product of screws, `T(q) = e1 ... e6 T(0)`, the wrist centre `c` does not move with joints 4 to 6:
 /// `e1 e2 e3 c = T T(0)⁻¹ c`. Its coordinate along axes 2 and 3 gives `q1`, its distance from axis 2 gives `q3`, its direction
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 ///
 /// Angles lie in (-π, π]. Where the wrist is singular `q4 = 0` is chosen, where the wrist centre lies on axis 1 `q1 = 0`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WristPartitionedIk {
+pub(crate) struct WristPartitionedIk {
     axes: [Vector3<f64>; 6],
     points: [Vector3<f64>; 6],
     centre: Vector3<f64>,
@@ -34,7 +34,7 @@ impl WristPartitionedIk {
     /// # Errors
     ///
     /// [`RobotError::NotSphericalWrist`] with the first condition that fails.
-    pub fn new<const N: usize>(arm: &SerialArm<N>) -> Result<Self, RobotError> {
+    pub(crate) fn new<const N: usize>(arm: &SerialArm<N>) -> Result<Self, RobotError> {
         let fail = |reason| Err(RobotError::NotSphericalWrist { reason });
         if !arm.followers().is_empty() {
             return fail("a joint follows another");
@@ -74,7 +74,7 @@ impl WristPartitionedIk {
     /// # Errors
     ///
     /// [`RobotError::OutOfReach`] if there is none.
-    pub fn solutions(&self, pose: &Pose) -> Result<Vec<JointVector<6>>, RobotError> {
+    pub(crate) fn solutions(&self, pose: &Pose) -> Result<Vec<JointVector<6>>, RobotError> {
         let motion = pose * self.home.inverse();
         let wrist = motion * nalgebra::Point3::from(self.centre);
         let mut solutions = Vec::new();
@@ -103,7 +103,7 @@ impl WristPartitionedIk {
     /// # Errors
     ///
     /// As [`WristPartitionedIk::solutions`].
-    pub fn nearest(&self, pose: &Pose, to: &JointVector<6>) -> Result<JointVector<6>, RobotError> {
+    pub(crate) fn nearest(&self, pose: &Pose, to: &JointVector<6>) -> Result<JointVector<6>, RobotError> {
         let unwound = |q: &JointVector<6>| q.zip_map(to, |angle, near| angle - TAU * ((angle - near) / TAU).round());
         let solutions = self.solutions(pose)?;
         let distance = |q: &JointVector<6>| (q - to).norm_squared();

@@ -1,15 +1,15 @@
-//! Clarabel with data updates.
+//! Clarabel with data updates: what the active-set method is checked against and measured beside.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT::NonnegativeConeT};
 
-use super::SmallestPush;
+use slideway_baselines::safety_filter::SmallestPush;
 
 /// A Clarabel solver that keeps its structure from sample to sample and is given new numbers only.
 ///
 /// Presolve is off, as updates demand, and the pattern is dense. Solved to 1e-12 (at 1e-8 the push is off by up to
 /// 4e-5).
-pub struct ConicPush {
+pub(crate) struct ConicPush {
     solver: Option<(DefaultSolver<f64>, usize, usize)>,
 }
 
@@ -21,8 +21,7 @@ impl Default for ConicPush {
 
 impl ConicPush {
     /// A solver that is set up at its first use.
-    #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { solver: None }
     }
 
