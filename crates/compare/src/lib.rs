@@ -30,8 +30,9 @@ mod progress;
 mod speed;
 mod words;
 
+pub use conditioning::arrival::Arrival;
 pub use conditioning::convergence::Convergence;
-pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, ProjectionEntry};
+pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, PathMethodEntry, ProjectionEntry};
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
 pub use error::{CompareError, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
@@ -41,4 +42,4 @@ pub use speed::summary::SpeedSummary;
 pub use speed::verdict::SpeedVerdict;
 pub use speed::windows::WindowEntry;
 pub use speed::{SpeedComparison, SpeedOptions, compare_speed};
-pub use words::short;
+pub use words::{apart, apart_in, decimals, fixed, short};
