@@ -1,11 +1,10 @@
 use crate::args::TuneArguments;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{scenario_error, source};
-use crate::say::output::{Outcome, json_text, print};
+use crate::say::output::{Outcome, create, json_text, print};
 use crate::say::table::Table;
-use crate::say::words::short;
+use crate::say::words::apart;
 use slideway_verify::{Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
@@ -20,10 +19,9 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     let request = TuneRequest { name, text, file, chattering: arguments.chattering, rate: arguments.rate };
     let outcome = tune(&request).map_err(|error| in_file(error, arguments, &request))?;
     if let (TuneOutcome::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
-        let write = |source| CliError::Write { path: out.clone(), source };
-        fs::write(out, &tuned.text).map_err(write)?;
+        create(out.clone(), |file| file.write_all(tuned.text.as_bytes()))?;
     }
-    print(&shown(&outcome, arguments, &request)?);
+    print(&shown(&outcome, arguments, &request)?)?;
     Ok(match outcome {
         TuneOutcome::Tuned(_) => Outcome::Holds,
         TuneOutcome::Impossible(_) => Outcome::Fails,
@@ -74,9 +72,12 @@ fn predictions(predictions: &[Prediction]) -> String {
     let header = ["guaranteed of the tuned scenario", "at least", "at most", "in the run", ""];
     let mut table = Table::new(header).numbers(1..4);
     for p in predictions {
-        let number = |value: Option<f64>| value.map_or("-".into(), short);
+        let given = [p.lower, p.upper, p.measured];
+        let any = given.iter().flatten().next().copied().unwrap_or(0.0);
+        let texts = apart(given.map(|value| value.unwrap_or(any)));
         let name = format!("{}: {}", p.name, p.text);
-        table.row([name, number(p.lower), number(p.upper), number(p.measured), p.unit.clone()]);
+        let numbers = given.into_iter().zip(texts).map(|(value, text)| value.map_or("-".into(), |_| text));
+        table.row([name].into_iter().chain(numbers).chain([p.unit.clone()]));
     }
     table.terminal()
 }
