@@ -13,18 +13,21 @@
 mod any;
 mod built_in;
 mod conditioning;
+mod encoding;
 mod error;
 mod read;
 mod speed;
 pub mod sweep;
+mod syntax;
 mod tables;
 mod text;
 
 pub use any::AnyScenario;
 pub use built_in::{BUILT_IN, BuiltIn, CONDITIONING_TEMPLATE, TEMPLATE};
 pub use conditioning::ConditioningScenario;
+pub use encoding::Encoding;
 pub use error::ScenarioError;
-pub use read::number_table::{NumberTable, TableError};
+pub use read::number_table::{NumberTable, Separator, TableError};
 pub use read::robot::robot_in;
 pub use speed::Scenario;
 pub use tables::Expectation;
