@@ -38,7 +38,7 @@ pub use error::{CompareError, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
 pub use speed::entries::{BetweenNodes, MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};
-pub use speed::summary::SpeedSummary;
+pub use speed::summary::{LeftOut, SpeedSummary};
 pub use speed::verdict::SpeedVerdict;
 pub use speed::windows::WindowEntry;
 pub use speed::{SpeedComparison, SpeedOptions, compare_speed};
