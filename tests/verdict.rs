@@ -141,7 +141,7 @@ fn a_law_exceeds_the_tool_s_speed_by_its_feedback_alone_and_no_other_optimum_is_
     let off =
         format!("{JOINT}{CONTROL}limits = {{ speed = 1, tool_speed = 0.1 }}\ndisturbances.initial_error = [-0.2]\n");
     let said = compare(&off);
-    let told = "the sliding mode, whose reference keeps them and whose feedback does not, exceeds them ";
+    let told = "sliding mode, whose reference keeps them and whose feedback does not, exceeds them ";
     assert!(!said.holds && said.sentence.contains(told), "{}", said.sentence);
     assert!(!said.sentence.contains("alone)") && said.summary["optimum_speed_only"].is_null());
     let said = compare(&off.replace("[-0.2]\n", "[-0.2]\ncompare.method = 'saturated'\n"));
@@ -151,7 +151,8 @@ fn a_law_exceeds_the_tool_s_speed_by_its_feedback_alone_and_no_other_optimum_is_
 #[test]
 fn limits_that_bind_the_optimum_alone_point_to_the_optimum_without_them() {
     let said = compare(&format!("{JOINT}{CONTROL}limits = {{ speed = 1, tool_acceleration = 1 }}\n"));
-    let told = "the limits on tool acceleration and the sliding mode, which does not know them, exceeds them ";
+    let told =
+        "the limits on tool acceleration and the synchronised sliding mode, which does not know them, exceeds them ";
     assert!(!said.holds && said.sentence.contains(told), "{}", said.sentence);
     let pointed = said.sentence.contains("(see the optimum under speed limits alone)");
     assert!(pointed && said.summary["optimum_speed_only"].is_object());

@@ -23,13 +23,13 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::Study(arguments) => study::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Attack(arguments) => attack::run(&arguments),
-        Command::List => Ok(list()),
+        Command::List => list(),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
     }
 }
 
-fn list() -> Outcome {
+fn list() -> Result<Outcome, CliError> {
     let scenario = |b: &slideway_scenario::BuiltIn| {
         (b.name, AnyScenario::parse(b.name, b.text).map(|s| s.description().to_owned()).unwrap_or_default())
     };
@@ -41,13 +41,13 @@ fn list() -> Outcome {
     let lines = |entries: &[(&str, String)]| -> String {
         entries.iter().map(|(name, description)| format!("  {name:width$}  {description}\n")).collect()
     };
-    print(&format!("scenarios\n{}robots\n{}studies\n{}", lines(&scenarios), lines(&robots), lines(&studies)));
-    Outcome::Holds
+    print(&format!("scenarios\n{}robots\n{}studies\n{}", lines(&scenarios), lines(&robots), lines(&studies)))?;
+    Ok(Outcome::Holds)
 }
 
 fn show(name: &str) -> Result<Outcome, CliError> {
     let built_in = BUILT_IN.iter().find(|b| b.name == name).ok_or_else(|| unknown(name))?;
-    print(built_in.text);
+    print(built_in.text)?;
     Ok(Outcome::Holds)
 }
 
@@ -64,7 +64,8 @@ fn init(file: &Path, kind: Kind) -> Result<Outcome, CliError> {
         }
         opened => opened.map_err(write)?,
     };
-    out.write_all(template.as_bytes()).map_err(write)?;
-    print(&format!("wrote {0}; run it with `slideway compare {0}`\n", file.display()));
+    // What could not be written whole leaves nothing.
+    out.write_all(template.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(file))).map_err(write)?;
+    print(&format!("wrote {0}; run it with `slideway compare {0}`\n", file.display()))?;
     Ok(Outcome::Holds)
 }

@@ -130,6 +130,16 @@ impl Experiment {
         Method::ALL.into_iter().filter(runs).collect()
     }
 
+    /// Methods that this problem's limits call for and that cannot be run on it, with what they need.
+    #[must_use]
+    pub fn left_out(&self) -> Option<(Vec<Method>, &'static str)> {
+        let limited = each_arm!(&self.arm, a => a.problem.path.acceleration_limits.is_some());
+        let runs = self.methods();
+        let left: Vec<Method> =
+            Method::ALL.into_iter().filter(|m| m.limits_acceleration() && !runs.contains(m)).collect();
+        (limited && !left.is_empty()).then_some((left, ONLINE_LIMITS_NEED))
+    }
+
     /// The same experiment with every joint-speed limit and the target rate multiplied by a number: what the regulator sees of the path
     /// stays in proportion.
     ///
@@ -205,14 +215,14 @@ impl Experiment {
     }
 
     /// The method that the verdict is about: the one chosen, else the look-ahead where it can be run, which keeps acceleration
-    /// limits as the optimum does, else the published sliding mode.
+    /// limits as the optimum does, else the synchronised sliding mode, whose robot arrives with its reference.
     ///
     /// # Errors
     ///
     /// A choice that cannot be run here.
     pub fn judged_method(&self, chosen: Option<Method>) -> Result<Method, ProblemError> {
         let look_ahead = self.methods().contains(&Method::AccelerationLookAhead);
-        let default = if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingMode };
+        let default = if look_ahead { Method::AccelerationLookAhead } else { Method::SlidingModeSynchronised };
         let method = chosen.unwrap_or(default);
         if self.methods().contains(&method) {
             return Ok(method);
@@ -315,6 +325,9 @@ impl Experiment {
     }
 }
 
+/// What the methods under acceleration limits need.
+const ONLINE_LIMITS_NEED: &str = "this method needs joint-acceleration limits, the same along the whole path as the speed limits are, and rest at both ends";
+
 /// Why a method cannot be run in an experiment that does not list it.
 fn cannot_run(method: Method) -> Fault {
     if method.surveys_the_path() {
@@ -324,7 +337,7 @@ fn cannot_run(method: Method) -> Fault {
         }
     } else {
         Fault::Unmet {
-            need: "this method needs joint-acceleration limits, the same along the whole path as the speed limits are, and rest at both ends",
+            need: ONLINE_LIMITS_NEED,
             remedy: "give `limits.acceleration` in numbers without formulas and leave out `limits.start_rate` and `limits.end_rate`, or \
                      judge another method",
         }

@@ -1,6 +1,6 @@
 use crate::disturbances::Disturbances;
 use slideway_conditioner::{ParameterError, bounds};
-use slideway_path::{Fault, ListOf, PathProblem, ProblemError, Reference, SampledPath};
+use slideway_path::{EndRate, Fault, ListOf, PathProblem, ProblemError, Reference, SampledPath};
 use slideway_robot::augmented::SpeedFactor;
 use slideway_robot::{Dynamics, EulerAngles, JointVector, euler};
 
@@ -224,6 +224,12 @@ impl<const N: usize> Problem<N> {
             return Err(ProblemError::value("joint_names", fault));
         }
         self.control.check()?;
+        let target = self.control.target_rate;
+        if let EndRate::Given(rate) = self.path.start_rate
+            && !(rate <= target)
+        {
+            return Err(ProblemError::value("limits.start_rate", Fault::AboveTarget { rate, target }));
+        }
         self.fixed_speed.check(self.control.gain)?;
         self.disturbances.check(N)
     }

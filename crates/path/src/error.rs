@@ -92,11 +92,27 @@ pub enum Fault {
         /// How to give it.
         remedy: &'static str,
     },
+    /// A task that prescribes more coordinates than the arm has joints.
+    #[error("the task has {rows} coordinates and the arm {joints} joints")]
+    TaskRows {
+        /// Coordinates of the task.
+        rows: usize,
+        /// Joints of the arm.
+        joints: usize,
+    },
+    /// A reference that begins faster than the regulator would ever let it run.
+    #[error("{rate} is above `control.target_rate`, {target}")]
+    AboveTarget {
+        /// The rate at the start, 1/s.
+        rate: f64,
+        /// The target rate, 1/s.
+        target: f64,
+    },
     /// A number of joints outside the supported range.
     #[error("{0} joints; between 1 and 7 are supported")]
     JointCount(usize),
     /// A number too large or too small to be meant.
-    #[error("{value} is outside [{least}, {most}]")]
+    #[error("{value} is {}", outside(*value, *least, *most))]
     OutOfRange {
         /// What was given.
         value: f64,
@@ -124,6 +140,14 @@ pub enum Fault {
     /// A path that has no finite value or derivative somewhere.
     #[error("no finite value or derivative at path parameter {0:.6}")]
     UndefinedAt(f64),
+    /// A name that no column of a table can bear.
+    #[error("the name \"{name}\" {reason}")]
+    Name {
+        /// The name.
+        name: String,
+        /// What is wrong with it.
+        reason: NameFault,
+    },
     /// A constraint whose gradient is zero on its own boundary.
     #[error(
         "the gradient vanishes on the boundary near ({:.4}, {:.4}, {:.4}) m: there is no direction to push",
@@ -161,6 +185,20 @@ pub enum Fault {
     /// A robot's parameter or an unreachable pose.
     #[error(transparent)]
     Robot(#[from] RobotError),
+}
+
+/// What is wrong with a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NameFault {
+    /// Nothing in it.
+    #[error("is empty")]
+    Empty,
+    /// Another thing of the kind has it.
+    #[error("stands twice")]
+    Repeated,
+    /// A comma, a quote or a line feed in it.
+    #[error("has a character that a column's name cannot have")]
+    Character,
 }
 
 /// What a list has an entry for.
@@ -205,6 +243,16 @@ impl ListOf {
     }
 }
 
+/// What a number outside a range is; an end that no number passes is none.
+fn outside(value: f64, least: f64, most: f64) -> String {
+    match (least > f64::MIN, most < f64::MAX) {
+        (true, true) => format!("outside [{least}, {most}]"),
+        (true, false) if value < least => format!("below {least}"),
+        (false, true) if value > most => format!("above {most}"),
+        _ => "no finite number".into(),
+    }
+}
+
 fn widths(numbers: &[usize]) -> String {
     numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(" or ")
 }
@@ -222,11 +270,24 @@ impl Fault {
             Self::Missing(_) => "add the key; `slideway init FILE` writes a template with every key explained".into(),
             Self::Conflict(_) => "keep one of the keys".into(),
             Self::Unmet { remedy, .. } => (*remedy).into(),
+            Self::TaskRows { joints, .. } => match joints {
+                0 | 1 => "prescribe the joints themselves: a path under `[path.joints]`".into(),
+                2 => "choose `planar-position`, which has 2 coordinates".into(),
+                3..=5 => "choose `position` or `planar-pose`, which have 3 coordinates, or `planar-position`, which has 2".into(),
+                _ => "choose another `robot.task`".into(),
+            },
+            Self::AboveTarget { target, .. } => {
+                format!("give a number from 0 to {target}, or raise `control.target_rate`")
+            }
             Self::JointCount(_) => {
                 "use an arm with 1 to 7 joints; of a URDF, choose a part with `base` and `tip`".into()
             }
-            Self::OutOfRange { least, most, .. } if *most >= f64::MAX => format!("give a number of at least {least}"),
-            Self::OutOfRange { least, most, .. } => format!("give a number from {least} to {most}"),
+            Self::OutOfRange { least, most, .. } => match (*least > f64::MIN, *most < f64::MAX) {
+                (true, true) => format!("give a number from {least} to {most}"),
+                (true, false) => format!("give a number of at least {least}"),
+                (false, true) => format!("give a number of at most {most}"),
+                (false, false) => "give a finite number".into(),
+            },
             Self::OutOfOpenRange { least, most, .. } => {
                 format!("give a number greater than {least} and less than {most}")
             }
@@ -241,11 +302,14 @@ impl Fault {
             }
             Self::NotCovered { .. } => "extend the list, or choose `start` and `end` of the path inside it".into(),
             Self::Curve(error) => error.remedy().into(),
-            Self::Formula(_) => "formulas use + - * / ^, sin, cos, exp, sqrt and the like, `lambda` and `pi`".into(),
+            Self::Formula(error) => error.remedy(),
             Self::Conditioner(ParameterError::FilterStep { .. }) => {
                 "lower `control.bandwidth` or `control.sampling_period` until their product is at most 1".into()
             }
-            Self::Conditioner(_) => "see the parameter's range in the message".into(),
+            Self::Conditioner(error) => format!("give what the message asks for: {error}"),
+            Self::Name { .. } => {
+                "give each a name of its own, of letters, digits, blanks and marks other than commas and quotes".into()
+            }
             Self::Robot(RobotError::OutOfReach { .. }) => "move the pose into the arm's reach".into(),
             Self::Robot(RobotError::NotConverged { .. }) => {
                 "move the pose into the arm's reach, or give `start.near` closer to the wanted configuration".into()
@@ -257,7 +321,7 @@ impl Fault {
                 "use `[robot.inverse.damped-least-squares]` or `[robot.inverse.truncated-svd]`, or another `robot.task`"
                     .into()
             }
-            Self::Robot(_) => "see the range in the message".into(),
+            Self::Robot(error) => error.remedy(),
         }
     }
 }

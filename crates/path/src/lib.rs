@@ -8,7 +8,7 @@ mod limits;
 mod path_problem;
 mod reference;
 
-pub use error::{Fault, ListOf, ProblemError};
+pub use error::{Fault, ListOf, NameFault, ProblemError};
 pub use joint_path::sampled::{PathSample, SampledPath, SampledPiece};
 pub use joint_path::{JointPath, JointPoint, Piece, PieceKind};
 pub use limits::drive_and_tool::{ToolLimits, TorqueLimits};

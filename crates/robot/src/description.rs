@@ -184,9 +184,10 @@ impl RobotDescription {
         Ok(())
     }
     pub(crate) fn index_of(&self, joint: &str) -> Result<usize, RobotError> {
-        let unknown = || RobotError::UnknownJoint {
-            name: joint.to_owned(),
-            known: self.joints.iter().map(|j| j.name.clone()).collect(),
+        let unknown = || {
+            let mut known: Vec<String> = self.joints.iter().map(|j| j.name.clone()).collect();
+            known.sort_by_key(|name| strsim::levenshtein(name, joint));
+            RobotError::UnknownJoint { name: joint.to_owned(), known }
         };
         self.joints.iter().position(|j| j.name == joint).ok_or_else(unknown)
     }

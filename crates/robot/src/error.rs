@@ -1,4 +1,4 @@
-use crate::DynamicsError;
+use crate::{DynamicsError, PositionRange};
 use thiserror::Error;
 
 /// What can go wrong with a robot description or a pose.
@@ -92,12 +92,14 @@ pub enum RobotError {
         known: Vec<String>,
     },
     /// A joint to be locked where it cannot go.
-    #[error("joint `{joint}` cannot be locked at {position}: its range ends before")]
+    #[error("joint `{joint}` cannot be locked at {position}: its range is [{}, {}]", range.lower, range.upper)]
     LockedOutsideLimits {
         /// The joint.
         joint: String,
         /// Where it was to be locked, rad or m.
         position: f64,
+        /// Where it can be locked, rad or m.
+        range: PositionRange,
     },
     /// A range of positions whose lower end lies above its upper end.
     #[error("joint `{joint}`: the lower limit {lower} lies above the upper limit {upper}")]
@@ -133,12 +135,21 @@ impl RobotError {
             Self::Gravity { .. } => "give three finite numbers in m/s²".into(),
             Self::JointCount { .. } => "use an arm with as many joints as asked for".into(),
             Self::UnknownJoint { known, .. } => format!("the joints are {}", known.join(", ")),
-            Self::LockedOutsideLimits { .. } => "lock the joint within its range".into(),
+            Self::LockedOutsideLimits { range, .. } => format!("give a number from {} to {}", range.lower, range.upper),
+            Self::NotFinite { .. } => "give a finite number".into(),
+            Self::NotPositive { .. } => "give a number greater than zero".into(),
+            Self::NotSphericalWrist { .. } => {
+                "use the numeric inverse kinematics: give a position to start from".into()
+            }
+            Self::NotConverged { .. } => {
+                "move the pose into the arm's reach, or start closer to the wanted configuration".into()
+            }
+            Self::OutsideLimits { .. } => "move the pose, or widen the range of the joint named".into(),
+            Self::NotSquare { .. } => "use damped least squares or the truncated decomposition, or another task".into(),
             Self::InvertedLimits { .. } => "exchange `lower` and `upper`".into(),
             Self::LimitNotPositive { .. } => "give a number greater than zero, or leave it out for no limit".into(),
             Self::Dynamics(DynamicsError::SingularMass) => "give every link a mass, or include rotor inertia".into(),
             Self::Dynamics(_) => "correct the link's or the joint's parameters".into(),
-            _ => "see the condition in the message".into(),
         }
     }
 }

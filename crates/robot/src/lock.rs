@@ -19,8 +19,8 @@ impl RobotDescription {
         if !position.is_finite() {
             return Err(RobotError::NotFinite { joint: index, field: "locked position", value: position });
         }
-        if self.joints[index].limits.position.is_some_and(|range| !range.contains(position)) {
-            return Err(RobotError::LockedOutsideLimits { joint: joint.to_owned(), position });
+        if let Some(range) = self.joints[index].limits.position.filter(|range| !range.contains(position)) {
+            return Err(RobotError::LockedOutsideLimits { joint: joint.to_owned(), position, range });
         }
         let mut chain = Assembly::new();
         for (i, own) in self.joints.iter().enumerate() {

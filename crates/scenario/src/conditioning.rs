@@ -23,8 +23,8 @@ impl ConditioningScenario {
     ///
     /// Bad TOML, an unknown or missing key, a value of the wrong kind.
     pub fn parse(name: &str, text: &str) -> Result<Self, ScenarioError> {
-        let file = from_toml(text)?;
-        Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
+        let of_file = |file| Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file };
+        from_toml(text, |file| of_file(file).problem().err()).map(of_file)
     }
 
     /// The same scenario with the paths in it relative to the folder of a file; as parsed they are relative to the current

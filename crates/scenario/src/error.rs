@@ -1,3 +1,4 @@
+use crate::encoding::Encoding;
 use crate::read::number_table::TableError;
 use slideway_path::curve::CurveError;
 use slideway_path::{Fault, ProblemError};
@@ -18,7 +19,25 @@ pub enum ScenarioError {
         /// Message of the system.
         source: std::io::Error,
     },
+    /// The file is no text in UTF-8.
+    #[error("{} is {encoding}, not UTF-8", path.display())]
+    NotUtf8 {
+        /// The file.
+        path: PathBuf,
+        /// How it is written.
+        encoding: Encoding,
+    },
     /// The text is not a scenario: bad TOML, an unknown key, a value of the wrong kind.
+    #[error("{message}")]
+    Text {
+        /// Message of the parser, with the key it is about.
+        message: String,
+        /// What to do about it.
+        remedy: String,
+        /// Place, as a range of bytes of the text.
+        span: Option<Range<usize>>,
+    },
+    /// The text is not TOML.
     #[error("{message}")]
     Syntax {
         /// Message of the parser.
@@ -95,7 +114,9 @@ impl ScenarioError {
             Self::Read { .. } => {
                 "give the path of a TOML file, or the name of a built-in scenario (`slideway list` shows them)".into()
             }
-            Self::Syntax { .. } => "`slideway init FILE` writes a template with every key explained".into(),
+            Self::NotUtf8 { .. } => "save the file as UTF-8".into(),
+            Self::Text { remedy, .. } => remedy.clone(),
+            Self::Syntax { .. } => "write `key = value`, one a line, and strings in quotes".into(),
             Self::Csv { error, .. } => error.remedy().into(),
             Self::CsvWaypoint { error, .. } => error.remedy().into(),
             Self::Urdf { error, .. } => error.remedy(),

@@ -1,6 +1,7 @@
 //! Scenarios of a regulated speed: a robot, a path, limits and a controller, in TOML.
 
 use crate::built_in::BUILT_IN;
+use crate::encoding::Encoding;
 use crate::error::ScenarioError;
 use crate::read::problem::read_problem;
 use crate::read::robot::describe;
@@ -48,7 +49,13 @@ impl Scenario {
     ///
     /// The file cannot be read.
     pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
-        std::fs::read_to_string(path).map_err(|source| ScenarioError::Read { path: path.to_owned(), source })
+        let bytes = std::fs::read(path).map_err(|source| ScenarioError::Read { path: path.to_owned(), source })?;
+        // A byte order mark of UTF-8 says nothing.
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").map_or(bytes.clone(), <[u8]>::to_vec);
+        String::from_utf8(bytes).map_err(|error| {
+            let encoding = Encoding::of(error.as_bytes());
+            ScenarioError::NotUtf8 { path: path.to_owned(), encoding }
+        })
     }
 
     /// Parses the text of a scenario.
@@ -58,8 +65,8 @@ impl Scenario {
     /// Bad TOML, an unknown or missing key, a value of the wrong kind. What the values mean is checked when a problem is
     /// made from the scenario.
     pub fn parse(name: &str, text: &str) -> Result<Self, ScenarioError> {
-        let file = from_toml(text)?;
-        Ok(Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file })
+        let of_file = |file| Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), file };
+        from_toml(text, |file| of_file(file).experiment().err()).map(of_file)
     }
 
     /// The same scenario with the paths in it relative to the folder of a file; as parsed they are relative to the current

@@ -1,23 +1,27 @@
 //! A scenario's text: read as tables, and where an error lies in it.
 
 use crate::error::ScenarioError;
+use crate::syntax::explained;
 use serde::de::DeserializeOwned;
 use slideway_path::ProblemError;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads a TOML text.
-pub(crate) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, ScenarioError> {
-    toml::from_str(text)
-        .map_err(|error| ScenarioError::Syntax { message: error.message().to_owned(), span: error.span() })
+/// Reads a TOML text. `refusal` is what a text meets that can be read: it tells the range of a number that is none.
+pub(crate) fn from_toml<T: DeserializeOwned>(
+    text: &str,
+    refusal: impl Fn(T) -> Option<ScenarioError>,
+) -> Result<T, ScenarioError> {
+    let refused = |probe: &str| toml::from_str(probe).ok().and_then(&refusal);
+    toml::from_str(text).map_err(|error| explained(text, &error, refused))
 }
 
 /// Place of an error in a text, as a range of bytes: the value at its key, or the nearest table around it.
 #[must_use]
 pub fn locate(text: &str, error: &ScenarioError) -> Option<Range<usize>> {
     match error {
-        ScenarioError::Syntax { span, .. } => span.clone(),
+        ScenarioError::Syntax { span, .. } | ScenarioError::Text { span, .. } => span.clone(),
         ScenarioError::Problem(ProblemError::LeavesReach { .. } | ProblemError::NoFiniteSpeed { .. }) => {
             locate_key(text, "path.end")
         }

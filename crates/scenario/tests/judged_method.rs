@@ -19,7 +19,8 @@ fn compared(scenario: &AnyScenario) -> Found<&'static str> {
         }
         AnyScenario::Conditioning(conditioning) => {
             let name = scenario.name().to_owned();
-            let options = ConditioningOptions { name, description: String::new(), tolerance: conditioning.tolerance() };
+            let options =
+                ConditioningOptions { name, tolerance: conditioning.tolerance(), ..ConditioningOptions::default() };
             compare_conditioning(&conditioning.problem()?, &options, &mut unwatched)?.summary.verdict.method.name()
         }
     })

@@ -37,7 +37,7 @@ pub(crate) fn run(arguments: &AttackArguments) -> Result<Outcome, CliError> {
         });
         bar.inc(1);
         let line = described(claim.name, engine, &found);
-        bar.suspend(|| print(&line));
+        bar.suspend(|| print(&line))?;
         if let Some(out) = &arguments.out {
             write(out, &KeptCase::found(claim, engine, &found))?;
         }

@@ -7,7 +7,7 @@ use crate::args::{ClaimsArguments, Level};
 use crate::claims::json::{json, proof_in_words};
 use crate::claims::report::write_report;
 use crate::say::diagnostic::{CliError, Named};
-use crate::say::output::{Outcome, print, progress};
+use crate::say::output::{Outcome, print, print_error, progress};
 use crate::say::table::Table;
 use crate::say::words::nearest;
 use slideway_proofs::ledger::{
@@ -29,21 +29,21 @@ pub(crate) fn run(arguments: &ClaimsArguments) -> Result<Outcome, CliError> {
     }
     let claims = chosen(arguments.claim.as_deref())?;
     if let Some(case) = arguments.case {
-        return Ok(replay::case(&claims, case));
+        return replay::case(&claims, case);
     }
     let cases = arguments.cases.map_or(level, std::num::NonZeroU64::get);
     let entries = measured(&claims, cases);
     let proofs: Vec<ProofStatus> = entries.iter().map(|entry| prove(entry.claim)).collect();
     if arguments.markdown {
-        print(&markdown(&entries, cases));
+        print(&markdown(&entries, cases))?;
     } else if arguments.json {
-        print(&json(&entries, &proofs));
+        print(&json(&entries, &proofs))?;
     } else {
-        print(&table(&entries, &proofs));
+        print(&table(&entries, &proofs))?;
     }
     if let Some(out) = &arguments.out {
         let page = write_report(out, &entries, &proofs)?;
-        eprintln!("wrote {}", page.display());
+        print_error(&format!("wrote {}", page.display()));
     }
     violations(&entries);
     let holds = entries.iter().all(|entry| entry.violated().next().is_none());
@@ -109,13 +109,13 @@ fn violations(entries: &[Entry]) {
     for entry in entries {
         for measured in entry.violated() {
             if let Some(violation) = &measured.report.violation {
-                eprintln!(
+                print_error(&format!(
                     "{name}, {}: violated by case {case} of seed {SEED}: {}; see it again with `slideway claims {name} --case {case}`",
                     measured.engine.name,
                     violation.what,
                     name = entry.claim.name,
                     case = violation.case
-                );
+                ));
             }
         }
     }

@@ -1,6 +1,6 @@
 use crate::claims::json::{json, proof_in_words};
 use crate::say::diagnostic::CliError;
-use crate::say::output::create;
+use crate::say::output::{create, withdraw};
 use crate::say::page::Page;
 use crate::say::table::Table;
 use slideway_figures::{Counterexample, FigureError, Rendered, draw_counterexample};
@@ -12,12 +12,13 @@ use std::path::{Path, PathBuf};
 /// Writes `claims.json`, a page, and a figure for every statement that does not hold and that one of the claims replaces.
 pub(crate) fn write_report(out: &Path, entries: &[Entry], proofs: &[ProofStatus]) -> Result<PathBuf, CliError> {
     let dir = out.join("figures");
+    withdraw(&out.join("claims.json"))?;
     fs::create_dir_all(&dir).map_err(|source| CliError::Write { path: dir.clone(), source })?;
-    create(out.join("claims.json"), |file| file.write_all(json(entries, proofs).as_bytes()))?;
     let refuted = REFUTED.iter().filter(|r| entries.iter().any(|entry| entry.claim.name == r.claim));
     let figures = refuted.map(|r| drawn(r, &dir)).collect::<Result<Vec<_>, _>>()?;
     let page = out.join("report.html");
     create(page.clone(), |file| file.write_all(rendered(entries, proofs, &figures).as_bytes()))?;
+    create(out.join("claims.json"), |file| file.write_all(json(entries, proofs).as_bytes()))?;
     Ok(page)
 }
 

@@ -4,7 +4,7 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::conditioning_views;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
-use crate::say::output::{Watched, as_json, create, write_summary};
+use crate::say::output::{Watched, as_json, begin, create, write_summary};
 use slideway_compare::{ConditioningComparison, ConditioningOptions, Convergence, compare_conditioning};
 use slideway_figures::{
     ConditioningStudy, ConvergencePoint, ConvergenceStudy, draw_conditioning_study, draw_convergence,
@@ -26,6 +26,7 @@ pub(crate) fn run(
         name: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
         tolerance: options.tolerance.or(scenario.tolerance()),
+        ..ConditioningOptions::default()
     };
     let watched = Watched::new();
     let compared = compare_conditioning(&problem, &options, &mut |progress| watched.show(progress));
@@ -50,7 +51,7 @@ fn write(
     comparison: &ConditioningComparison,
 ) -> Result<(), CliError> {
     let ConditioningComparison { summary, traces } = comparison;
-    let figures_dir = write_summary(out, summary)?;
+    let figures_dir = begin(out)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
@@ -63,7 +64,8 @@ fn write(
         figures.push(draw_convergence(&ConvergenceStudy { title, points: &points }, &figures_dir)?);
     }
     let page = conditioning_views::render(summary, scenario.text(), &figures);
-    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
+    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
+    write_summary(out, summary)
 }
 
 fn point(at: &Convergence) -> ConvergencePoint {

@@ -2,24 +2,25 @@
 
 use crate::say::page::Page;
 use crate::say::table::{Column, Table};
-use crate::say::words::{escape, short};
-use slideway_compare::ConditioningSummary;
+use crate::say::words::{decimals, escape, short};
+use slideway_compare::{ConditioningSummary, PathMethodEntry};
 use slideway_figures::Rendered;
-use slideway_lab::conditioning::PathMethodSummary;
 
-const COLUMNS: [Column<PathMethodSummary>; 11] = [
-    ("method", |m| m.method.name().to_owned()),
-    ("mean deviation\n[mm]", |m| millimetres(Some(m.mean_deviation_m))),
-    ("largest\n[mm]", |m| millimetres(Some(m.max_deviation_m))),
-    ("from projection\nmean [mm]", |m| millimetres(m.mean_distance_to_projection_m)),
-    ("from QP path\nmean | max [mm]", |m| pair(m.mean_distance_to_qp_m, m.max_distance_to_qp_m)),
-    ("largest σ\n[mm]", |m| list(&m.max_sigma_m, 1e3)),
-    ("largest φ\n[mm]", |m| m.max_phi_m.iter().map(|p| millimetres(*p)).collect::<Vec<_>>().join(" | ")),
-    ("acting\n[s]", |m| list(&m.active_s, 1.0)),
-    ("back after\n[s]", |m| seconds(m.return_s)),
-    ("trapped for\n[s]", |m| seconds(m.escape_s)),
+const COLUMNS: [Column<PathMethodEntry>; 13] = [
+    ("method", |m| m.summary.method.name().to_owned()),
+    ("mean deviation\n[mm]", |m| millimetres(Some(m.summary.mean_deviation_m))),
+    ("largest\n[mm]", |m| millimetres(Some(m.summary.max_deviation_m))),
+    ("from projection\nmean [mm]", |m| millimetres(m.summary.mean_distance_to_projection_m)),
+    ("from QP path\nmean | max [mm]", |m| pair(m.summary.mean_distance_to_qp_m, m.summary.max_distance_to_qp_m)),
+    ("largest σ\n[mm]", |m| list(&m.summary.max_sigma_m, 1e3)),
+    ("largest φ\n[mm]", |m| m.summary.max_phi_m.iter().map(|p| millimetres(*p)).collect::<Vec<_>>().join(" | ")),
+    ("acting\n[s]", |m| list(&m.summary.active_s, 1.0)),
+    ("back after\n[s]", |m| seconds(m.summary.return_s)),
+    ("ends off\n[mm]", |m| millimetres(m.arrival.end_distance_m)),
+    ("arrives after\n[s]", |m| seconds(m.arrival.arrives_after_s)),
+    ("trapped for\n[s]", |m| seconds(Some(m.arrival.trapped_s).filter(|t| *t > 0.0))),
     ("chattering of φ: measured\n≤ bound (eq 22) [mm]", |m| {
-        m.chattering.map_or("-".into(), |c| {
+        m.summary.chattering.map_or("-".into(), |c| {
             format!("{} ≤ {} ({})", short(1e3 * c.measured), short(1e3 * c.bound), short(1e3 * c.paper_estimate))
         })
     }),
@@ -30,7 +31,7 @@ fn millimetres(value: Option<f64>) -> String {
 }
 
 fn seconds(value: Option<f64>) -> String {
-    value.map_or("-".into(), |v| format!("{v:.3}"))
+    value.map_or("-".into(), |v| decimals(v, 3))
 }
 
 fn pair(a: Option<f64>, b: Option<f64>) -> String {
@@ -43,7 +44,8 @@ fn list(values: &[f64], scale: f64) -> String {
 
 const NOTE: &str = "Columns with several numbers have one per constraint. Projection: the nearest allowed point to each point of \
                     the reference, the least deviation possible at one instant. Deviations and distances are means over the \
-                    whole run.";
+                    whole run. Ends off: from the nearest allowed point to the reference's end, when the reference arrives; arrives \
+                    after: how long after the reference the conditioned point is there, the reference at rest.";
 
 /// The comparison as a table with what it means, for a terminal.
 pub(crate) fn table(summary: &ConditioningSummary) -> String {
@@ -72,13 +74,13 @@ fn audit(summary: &ConditioningSummary) -> String {
         || "projection: none, the allowed set is empty somewhere along the reference".into(),
         |p| format!("projection: {}, gap at most {:.1e} m", p.kind, p.worst_gap_m),
     );
-    let entry = summary.methods.iter().find(|m| m.method == summary.verdict.method);
+    let entry = summary.methods.iter().map(|m| &m.summary).find(|m| m.method == summary.verdict.method);
     let audit = entry.map_or_else(String::new, |m| {
         let acting: Vec<String> = summary
             .constraints
             .iter()
             .zip(&m.audit.acting_share)
-            .map(|(name, share)| format!("{name} in {:.2} %", 100.0 * share))
+            .map(|(name, share)| format!("{name} in {} %", decimals(100.0 * share, 2)))
             .collect();
         format!(
             "audit of the sliding mode, {} samples: {}, reserve in {:.2} %, held in {:.2} %, stopped by a trap in {:.2} %",

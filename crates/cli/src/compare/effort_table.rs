@@ -1,7 +1,7 @@
 //! Speed beside what it costs the drives, for a terminal and for the report.
 
 use crate::say::table::Table;
-use crate::say::words::{escape, short};
+use crate::say::words::{decimals, escape, short};
 use slideway_compare::SpeedSummary;
 use slideway_lab::Method;
 
@@ -48,7 +48,7 @@ fn table(summary: &SpeedSummary) -> Table {
     for (name, relative_speed, effort) in methods.chain([optimum]) {
         table.row([
             name.to_owned(),
-            relative_speed.map_or("-".to_owned(), |v| format!("{v:.4}")),
+            relative_speed.map_or("-".to_owned(), |v| decimals(v, 4)),
             number(effort.map(|e| e.peak_joint_speed)),
             number(effort.map(|e| e.rms_acceleration)),
             number(effort.and_then(|e| e.peak_torque)),

@@ -4,9 +4,10 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::one::compare;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::scenario_error;
-use crate::say::output::{Outcome, create, print, print_json, progress};
+use crate::say::output::{Outcome, create, print, print_json, progress, withdraw, write_summary};
 use crate::say::page::page_head;
 use crate::say::table::Table;
+use crate::say::words::decimals;
 use serde::Serialize;
 use slideway_scenario::{AnyScenario, BUILT_IN, Expectation};
 use std::path::Path;
@@ -33,6 +34,7 @@ struct Gallery {
 
 /// Compares on every built-in scenario, into a folder each, and writes `index.html` and `summary.json` about them all.
 pub(crate) fn run(options: &CompareOptions, out: &Path, json: bool) -> Result<Outcome, CliError> {
+    withdraw(&out.join("summary.json"))?;
     let bar = progress(BUILT_IN.len() as u64);
     let mut scenarios = Vec::new();
     for built_in in &BUILT_IN {
@@ -45,8 +47,8 @@ pub(crate) fn run(options: &CompareOptions, out: &Path, json: bool) -> Result<Ou
     }
     bar.finish_and_clear();
     let gallery = Gallery { all_as_expected: scenarios.iter().all(|s| s.as_expected), scenarios };
-    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, &gallery)?))?;
     create(out.join("index.html"), |file| file.write_all(gallery.page().as_bytes()))?;
+    write_summary(out, &gallery)?;
     gallery.show(json, out)?;
     Ok(if gallery.all_as_expected { Outcome::Holds } else { Outcome::Fails })
 }
@@ -66,7 +68,7 @@ impl Entry {
     }
 
     fn cells(&self) -> [String; 5] {
-        let number = |value: Option<f64>| value.map_or("-".into(), |v| format!("{v:.4}"));
+        let number = |value: Option<f64>| value.map_or("-".into(), |v| decimals(v, 4));
         let verdict = match (self.holds, self.as_expected) {
             (true, true) => "yes",
             (false, true) => "no, as expected",
@@ -89,8 +91,7 @@ impl Gallery {
             return print_json(self);
         }
         let table = self.table().terminal();
-        print(&format!("{table}\n{}\nwrote {}\n", self.sentence(), out.join("index.html").display()));
-        Ok(())
+        print(&format!("{table}\n{}\nwrote {}\n", self.sentence(), out.join("index.html").display()))
     }
 
     fn table(&self) -> Table {

@@ -4,7 +4,7 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::{law_figures, speed_page, speed_text};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
-use crate::say::output::{Watched, as_json, create, write_summary};
+use crate::say::output::{Watched, as_json, begin, create, write_summary};
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
 use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
@@ -51,7 +51,7 @@ fn write(
     comparison: &SpeedComparison,
 ) -> Result<(), CliError> {
     let SpeedComparison { summary, traces, path, .. } = comparison;
-    let figures_dir = write_summary(out, summary)?;
+    let figures_dir = begin(out)?;
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
@@ -76,7 +76,8 @@ fn write(
     }
     figures.extend(law_figures::draw(title, comparison, &figures_dir)?);
     let page = speed_page::render(summary, scenario.text(), &figures);
-    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
+    create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
+    write_summary(out, summary)
 }
 
 /// The optimum's profile as the figures want it: path rate over path parameter and over time.

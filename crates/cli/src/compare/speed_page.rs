@@ -3,7 +3,7 @@
 use crate::compare::{effort_table, speed_table, speed_text};
 use crate::say::page::Page;
 use crate::say::table::{Column, Table};
-use crate::say::words::{escape, short};
+use crate::say::words::{decimals, escape, short};
 use slideway_compare::{MethodEntry, OptimumEntry, SpeedSummary, WindowEntry};
 use slideway_figures::Rendered;
 
@@ -48,7 +48,7 @@ fn limit_use(summary: &SpeedSummary) -> String {
 
 const WINDOWS: [Column<WindowEntry>; 4] = [
     ("window, share of the path", |w| format!("{} %", 100.0 * w.share)),
-    ("T / T*", |w| w.ratio.map_or("never arrives".into(), |r| format!("{r:.4}"))),
+    ("T / T*", |w| w.ratio.map_or("never arrives".into(), |r| decimals(r, 4))),
     ("peak error [mm]", |w| short(1e3 * w.peak_path_error_m)),
     ("samples off the path", |w| w.samples_off_path.to_string()),
 ];

@@ -1,7 +1,7 @@
 //! The table of speed laws beside the optimum.
 
 use crate::say::table::{Column, Table};
-use crate::say::words::short;
+use crate::say::words::{decimals, short};
 use slideway_compare::MethodEntry;
 
 const COLUMNS: [Column<MethodEntry>; 9] = [
@@ -10,7 +10,7 @@ const COLUMNS: [Column<MethodEntry>; 9] = [
     ("motion\nstarts [s]", |m| seconds(m.summary.motion_start_s)),
     ("robot\narrives [s]", arrival),
     ("T / T*", |m| seconds(m.ratio)),
-    ("RMS ‖e‖\n[m, rad]", |m| format!("{:.4}", m.summary.rms_error_norm)),
+    ("RMS ‖e‖\n[m, rad]", |m| decimals(m.summary.rms_error_norm, 4)),
     ("peak error\n[mm | mrad]", |m| {
         let s = &m.summary;
         format!("{} | {}", short(1e3 * s.peak_path_error_m), short(1e3 * s.peak_path_error_rad))
@@ -26,7 +26,7 @@ const COLUMNS: [Column<MethodEntry>; 9] = [
 ];
 
 fn seconds(value: Option<f64>) -> String {
-    value.map_or("-".into(), |v| format!("{v:.4}"))
+    value.map_or("-".into(), |v| decimals(v, 4))
 }
 
 fn arrival(entry: &MethodEntry) -> String {

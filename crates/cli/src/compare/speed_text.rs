@@ -1,7 +1,7 @@
 //! A comparison of speed laws, for a terminal.
 
 use crate::compare::{effort_table, speed_table};
-use crate::say::words::short;
+use crate::say::words::{decimals, short};
 use slideway_compare::{OptimumEntry, SpeedSummary};
 
 /// The comparison as tables with what they mean.
@@ -32,7 +32,7 @@ fn windows(summary: &SpeedSummary) -> String {
         }
     }
     for w in &summary.look_ahead {
-        let ratio = w.ratio.map_or("never arrives".into(), |r| format!("T / T* {r:.4}"));
+        let ratio = w.ratio.map_or("never arrives".into(), |r| format!("T / T* {}", decimals(r, 4)));
         text += &format!(
             "look-ahead over {:>3} % of the path: {ratio}, path error {} mm, {} samples off the path\n",
             100.0 * w.share,

@@ -3,6 +3,7 @@
 use crate::say::diagnostic::CliError;
 use crate::say::failures::difference::{Difference, Thing};
 use crate::say::loaded::scenario_error;
+use crate::say::output::create;
 use slideway_scenario::ScenarioError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -82,7 +83,8 @@ pub(crate) fn write(files: &NamedFiles, out: &Path) -> Result<(), CliError> {
     for (name, text) in files.iter().filter(|(name, _)| is_beside(name)) {
         let path = out.join(name);
         let made = path.parent().map_or(Ok(()), fs::create_dir_all);
-        made.and_then(|()| fs::write(&path, text)).map_err(|source| CliError::Write { path, source })?;
+        made.map_err(|source| CliError::Write { path: path.clone(), source })?;
+        create(path, |file| file.write_all(text.as_bytes()))?;
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use crate::compare::compared::CompareOptions;
 use crate::compare::one::compare;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::load;
-use crate::say::output::{Outcome, create, print, print_json, progress};
+use crate::say::output::{Outcome, create, print, print_json, progress, withdraw};
 use rows::Reproduction;
 use slideway_lab::Published;
 use slideway_lab::natural::{table_1, table_2};
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &ReproduceArguments) -> Result<Outcome, CliError> {
         print_json(&reproduction)?;
     } else {
         let wrote = if all { format!("wrote {}\n", arguments.out.join("index.html").display()) } else { String::new() };
-        print(&format!("{}\n{}\n{wrote}", reproduction.table().terminal(), reproduction.sentence()));
+        print(&format!("{}\n{}\n{wrote}", reproduction.table().terminal(), reproduction.sentence()))?;
     }
     Ok(if reproduction.lost == 0 { Outcome::Holds } else { Outcome::Fails })
 }
@@ -82,10 +82,11 @@ impl Source {
 /// Writes the page with the comparisons that the papers' figures show, each in its own folder, and the rows as JSON.
 fn write(reproduction: &Reproduction, out: &Path) -> Result<(), CliError> {
     let options = CompareOptions { tolerance: None, inter_sample: None };
+    withdraw(&out.join("reproduction.json"))?;
     for (name, _) in page::SHOWN {
         compare(&load(name)?, name, &options, &out.join(name))?;
     }
-    create(out.join("reproduction.json"), |file| Ok(serde_json::to_writer_pretty(file, reproduction)?))?;
     let text = page::render(reproduction, out)?;
-    create(out.join("index.html"), |file| file.write_all(text.as_bytes()))
+    create(out.join("index.html"), |file| file.write_all(text.as_bytes()))?;
+    create(out.join("reproduction.json"), |file| Ok(serde_json::to_writer_pretty(file, reproduction)?))
 }

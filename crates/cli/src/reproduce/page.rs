@@ -7,10 +7,14 @@ use crate::say::words::escape;
 use std::path::Path;
 
 /// Scenarios whose comparison is run, and which of its figures stand on the page.
-pub(super) const SHOWN: [(&str, &[&str]); 5] = [
+pub(super) const SHOWN: [(&str, &[&str]); 8] = [
     ("puma-helix", &["path-rate", "joint-speeds"]),
     ("puma-wrist-singularity", &["path-rate-time"]),
     ("helix-plane-sphere", &["conditioned-path", "push"]),
+    // [G12] figures 5 to 10, two each.
+    ("trap-ellipsoid", &["conditioned-path", "trap"]),
+    ("trap-two-ellipsoids", &["conditioned-path", "trap"]),
+    ("trap-booth-oval", &["conditioned-path", "trap"]),
     (
         "natural-2r",
         &["laws-mean-speed", "laws-path-speed", "laws-joint-speeds", "laws-joint-torques", "laws-model-error"],

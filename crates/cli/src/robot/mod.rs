@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &RobotArguments) -> Result<Outcome, CliError> {
     if arguments.json {
         print_json(&state)?;
     } else {
-        print(&render(&robot, &inputs, &state));
+        print(&render(&robot, &inputs, &state))?;
     }
     Ok(Outcome::Holds)
 }

@@ -1,7 +1,8 @@
 use crate::say::failures::journal::JournalError;
 use crate::say::failures::sweep::SweepFailure;
 use crate::say::failures::verify::{VerifyFailure, of_tuning};
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use crate::say::snippet::{LONGEST_ECHO, Snippet, short_echo};
+use miette::{Diagnostic, LabeledSpan, SourceCode};
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_compare::CompareError;
 use slideway_figures::FigureError;
@@ -54,6 +55,9 @@ pub(crate) enum CliError {
     /// A file or folder that cannot be written.
     #[error("cannot write {}: {source}", path.display())]
     Write { path: PathBuf, source: std::io::Error },
+    /// Standard output that takes no more.
+    #[error("cannot write to standard output: {0}")]
+    Print(std::io::Error),
     /// No comparison, or no optimum; with the scenario's name or file where one of several is meant.
     #[error("{}{error}", file.as_ref().map_or(String::new(), |file| format!("{file}: ")))]
     Compare { error: Box<CompareError>, file: Option<String> },
@@ -81,17 +85,13 @@ impl CliError {
     /// As a report that prints with file, line and remedy.
     pub(crate) fn into_report(self) -> miette::Report {
         let (source, span) = match &self {
-            Self::Scenario { error, file, text: Some(text) } => {
-                (Some(NamedSource::new(file.clone(), text.clone()).with_language("TOML")), locate(text, error))
-            }
-            Self::Urdf { error, file, text: Some(text) } => {
-                (Some(NamedSource::new(file.clone(), text.clone()).with_language("XML")), error.locate(text))
-            }
+            Self::Scenario { error, file, text: Some(text) } => (Some(Snippet::new(file, text)), locate(text, error)),
+            Self::Urdf { error, file, text: Some(text) } => (Some(Snippet::new(file, text)), error.locate(text)),
             Self::Sweep(failure) => failure.source_and_span(),
             _ => (None, None),
         };
-        let help = self.remedy();
-        miette::Report::new(Pointed { message: self.to_string(), source, span, help })
+        let (message, help) = (short_echo(&self.to_string()), short_echo(&self.remedy()));
+        miette::Report::new(Pointed { message, source, span, help })
     }
 
     fn remedy(&self) -> String {
@@ -109,6 +109,9 @@ impl CliError {
             Self::Exists { .. } => "choose another name, or remove the file first".into(),
             Self::Write { .. } => {
                 "check that the folder exists and may be written, or choose another with --out".into()
+            }
+            Self::Print(_) => {
+                "let what reads it read to the end, or send it to a file on a disk with room; results in a folder are whole".into()
             }
             Self::Compare { error, .. } => error.remedy(),
             Self::Sweep(failure) => failure.remedy(),
@@ -182,7 +185,7 @@ impl From<OptimumError> for CliError {
 /// An error with a place in a text and a remedy.
 struct Pointed {
     message: String,
-    source: Option<NamedSource<String>>,
+    source: Option<Snippet>,
     span: Option<std::ops::Range<usize>>,
     help: String,
 }
@@ -212,6 +215,7 @@ impl Diagnostic for Pointed {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let span = self.span.clone()?;
-        Some(Box::new(std::iter::once(LabeledSpan::new(Some("here".into()), span.start, span.len()))))
+        let length = span.len().min(LONGEST_ECHO / 2);
+        Some(Box::new(std::iter::once(LabeledSpan::new(Some("here".into()), span.start, length))))
     }
 }

@@ -5,5 +5,6 @@ pub(crate) mod failures;
 pub(crate) mod loaded;
 pub(crate) mod output;
 pub(crate) mod page;
+pub(crate) mod snippet;
 pub(crate) mod table;
 pub(crate) mod words;

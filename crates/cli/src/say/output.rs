@@ -2,7 +2,7 @@ use crate::say::diagnostic::CliError;
 use indicatif::{ProgressBar, ProgressStyle};
 use slideway_compare::Progress;
 use std::fs;
-use std::io::Write as _;
+use std::io::{ErrorKind, Write as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -24,10 +24,19 @@ impl Outcome {
     }
 }
 
-/// Prints to standard output; a reader that closes the pipe early is no error.
-pub(crate) fn print(text: &str) {
+/// Prints to standard output.
+///
+/// # Errors
+///
+/// An output that takes no more: a full disk, a reader that closed the pipe.
+pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Print)
+}
+
+/// Prints a line to standard error, which has no place left to complain to.
+pub(crate) fn print_error(line: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
 /// A bar of so many steps.
@@ -72,25 +81,53 @@ pub(crate) fn as_json(summary: &impl serde::Serialize) -> Result<serde_json::Val
     serde_json::to_value(summary).map_err(|error| CliError::Write { path: "summary.json".into(), source: error.into() })
 }
 
-/// Makes the folders and writes `summary.json`; the folder of the figures.
-pub(crate) fn write_summary(out: &Path, summary: &impl serde::Serialize) -> Result<PathBuf, CliError> {
+/// Makes the folders of a run's results and takes away the summary of an earlier one, which would stand beside other traces; the
+/// folder of the figures. [`write_summary`] comes last: where it stands, everything else is whole.
+pub(crate) fn begin(out: &Path) -> Result<PathBuf, CliError> {
     let figures_dir = out.join("figures");
     fs::create_dir_all(&figures_dir).map_err(|source| CliError::Write { path: figures_dir.clone(), source })?;
-    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))?;
+    withdraw(&out.join("summary.json"))?;
     Ok(figures_dir)
 }
 
-/// Creates a file with what `fill` writes into it.
+/// Removes a file of an earlier run, if there is one.
+pub(crate) fn withdraw(path: &Path) -> Result<(), CliError> {
+    match fs::remove_file(path) {
+        Err(source) if source.kind() != ErrorKind::NotFound => Err(CliError::Write { path: path.to_owned(), source }),
+        _ => Ok(()),
+    }
+}
+
+/// Writes `summary.json`.
+pub(crate) fn write_summary(out: &Path, summary: &impl serde::Serialize) -> Result<(), CliError> {
+    create(out.join("summary.json"), |file| Ok(serde_json::to_writer_pretty(file, summary)?))
+}
+
+/// Writes a file that appears under its name only when `fill` has written all of it.
 pub(crate) fn create(
     path: PathBuf,
     fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>,
 ) -> Result<(), CliError> {
-    let result = fs::File::create(&path).and_then(|file| {
-        let mut out = std::io::BufWriter::new(file);
-        fill(&mut out)?;
-        std::io::Write::flush(&mut out)
-    });
-    result.map_err(|source| CliError::Write { path, source })
+    whole(&path, fill).map_err(|source| CliError::Write { path, source })
+}
+
+/// Writes beside the file and renames; into what is no plain file, such as a device, directly.
+fn whole(path: &Path, fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>) -> std::io::Result<()> {
+    // A link keeps pointing where it did.
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&path).is_ok_and(|data| !data.is_file()) {
+        return filled(fs::OpenOptions::new().write(true).open(&path)?, fill);
+    }
+    let name = path.file_name().ok_or(ErrorKind::InvalidFilename)?;
+    let part = path.with_file_name(format!(".{}.{}.part", name.to_string_lossy(), std::process::id()));
+    let written = fs::File::create(&part).and_then(|file| filled(file, fill)).and_then(|()| fs::rename(&part, &path));
+    written.inspect_err(|_| drop(fs::remove_file(&part)))
+}
+
+fn filled(file: fs::File, fill: impl FnOnce(&mut dyn std::io::Write) -> std::io::Result<()>) -> std::io::Result<()> {
+    let mut out = std::io::BufWriter::new(file);
+    fill(&mut out)?;
+    out.flush()
 }
 
 /// A value as the text of a JSON file.
@@ -101,16 +138,10 @@ pub(crate) fn json_text(value: &impl serde::Serialize) -> Result<String, CliErro
 
 /// Prints a value as JSON.
 pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), CliError> {
-    print(&json_text(value)?);
-    Ok(())
+    print(&json_text(value)?)
 }
 
 /// Prints the summary as JSON or the table, and where the report is.
 pub(crate) fn show(json: bool, summary: &impl serde::Serialize, table: &str, out: &Path) -> Result<(), CliError> {
-    if json {
-        print_json(summary)?;
-    } else {
-        print(&format!("{table}\nwrote {}\n", out.join("report.html").display()));
-    }
-    Ok(())
+    if json { print_json(summary) } else { print(&format!("{table}\nwrote {}\n", out.join("report.html").display())) }
 }

@@ -1,6 +1,6 @@
 //! Numbers, names and texts as words.
 
-pub(crate) use slideway_compare::short;
+pub(crate) use slideway_compare::{apart, apart_in, decimals, short};
 
 /// A text as HTML.
 pub(crate) fn escape(text: &str) -> String {

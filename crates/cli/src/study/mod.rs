@@ -1,6 +1,6 @@
 use crate::args::StudyArguments;
 use crate::say::diagnostic::{CliError, Named};
-use crate::say::output::{Outcome, create, show, write_summary};
+use crate::say::output::{Outcome, begin, create, show, write_summary};
 use crate::say::page::Page;
 use crate::say::table::{Column, Table};
 use crate::say::words::{nearest, short};
@@ -40,10 +40,11 @@ fn unknown(name: &str) -> CliError {
 fn run_one(study: Study, out: &Path, arguments: &StudyArguments) -> Result<Outcome, CliError> {
     let failed = |error| CliError::Study { error: Box::new(error), name: study.name() };
     let report = slideway_study::run(study, arguments.seed).map_err(failed)?;
-    let figures_dir = write_summary(out, &report)?;
+    let figures_dir = begin(out)?;
     let figure = draw_chart(&chart(&report), &figures_dir)?;
     let page = page(&report, study, &[figure]);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
+    write_summary(out, &report)?;
     show(arguments.json, &report, &text(&report, study), out)?;
     Ok(if report.holds { Outcome::Holds } else { Outcome::Fails })
 }

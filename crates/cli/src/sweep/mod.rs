@@ -8,7 +8,7 @@ use crate::keep::parallel::{Work, jobs};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::sweep::SweepFailure;
 use crate::say::loaded::source;
-use crate::say::output::{Outcome, create, json_text, print};
+use crate::say::output::{Outcome, create, json_text, print, withdraw};
 use journal::{Opened, write_csv};
 use slideway_compare::sweep::{SweepRow, run_sweep};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
@@ -42,9 +42,9 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
     let summary = SweepSummary::new(&plan, &rows);
     let text = write(&out, &plan, &rows, &summary)?;
     if arguments.json {
-        print(&text);
+        print(&text)?;
     } else {
-        print(&format!("{}wrote {}\n", table::render(&plan, &summary), out.join("rows.csv").display()));
+        print(&format!("{}wrote {}\n", table::render(&plan, &summary), out.join("rows.csv").display()))?;
     }
     Ok(if summary.all.failures.total == 0 { Outcome::Holds } else { Outcome::Fails })
 }
@@ -85,10 +85,11 @@ fn finish(
 
 /// Writes rows and summary; returns the text of the summary.
 fn write(out: &Path, plan: &SweepPlan, rows: &[SweepRow], summary: &SweepSummary) -> Result<String, CliError> {
+    withdraw(&out.join("summary.json"))?;
     create(out.join("rows.csv"), |file| write_csv(plan, rows, file))?;
+    draw(out, plan, rows)?;
     let text = json_text(summary)?;
     create(out.join("summary.json"), |file| file.write_all(text.as_bytes()))?;
-    draw(out, plan, rows)?;
     Ok(text)
 }
 

@@ -1,12 +1,11 @@
 use crate::args::TuneArguments;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{load, scenario_error};
-use crate::say::output::{Outcome, json_text, print};
+use crate::say::output::{Outcome, create, json_text, print};
 use crate::say::table::Table;
-use crate::say::words::short;
+use crate::say::words::apart;
 use slideway_scenario::{TunedScenario, Tuning, TuningError};
 use slideway_verify::{Impossible, Prediction, TuneRequest, VerifyError};
-use std::fs;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
@@ -20,10 +19,9 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     let request = TuneRequest { chattering: arguments.chattering, rate: arguments.rate };
     let outcome = scenario.tuned(None, request).map_err(|error| in_file(error, arguments, scenario.text()))?;
     if let (Tuning::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
-        let write = |source| CliError::Write { path: out.clone(), source };
-        fs::write(out, &tuned.text).map_err(write)?;
+        create(out.clone(), |file| file.write_all(tuned.text.as_bytes()))?;
     }
-    print(&shown(&outcome, arguments, &request)?);
+    print(&shown(&outcome, arguments, &request)?)?;
     Ok(match outcome {
         Tuning::Tuned(_) => Outcome::Holds,
         Tuning::Impossible(_) => Outcome::Fails,
@@ -76,9 +74,12 @@ fn predictions(predictions: &[Prediction]) -> String {
     let header = ["guaranteed of the tuned scenario", "at least", "at most", "in the run", ""];
     let mut table = Table::new(header).numbers(1..4);
     for p in predictions {
-        let number = |value: Option<f64>| value.map_or("-".into(), short);
+        let given = [p.lower, p.upper, p.measured];
+        let any = given.iter().flatten().next().copied().unwrap_or(0.0);
+        let texts = apart(given.map(|value| value.unwrap_or(any)));
         let name = format!("{}: {}", p.name, p.text);
-        table.row([name, number(p.lower), number(p.upper), number(p.measured), p.unit.clone()]);
+        let numbers = given.into_iter().zip(texts).map(|(value, text)| value.map_or("-".into(), |_| text));
+        table.row([name].into_iter().chain(numbers).chain([p.unit.clone()]));
     }
     table.terminal()
 }

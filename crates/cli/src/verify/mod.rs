@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<Outcome, CliError> {
     };
     let (journal, held) = journal::open(&out.join(TRIALS), &identity)?;
     if !arguments.json {
-        print(&table::statement(name, campaign.statement()));
+        print(&table::statement(name, campaign.statement()))?;
     }
     let work = Campaigning { campaign: &campaign, scenario: &scenario, journal: &journal, file: &arguments.scenario };
     let (trials, smallest) = work.finish(&identity, held, jobs(arguments.jobs))?;
@@ -71,7 +71,7 @@ pub(crate) fn show(results: &Results, out: &Path, json: bool) -> Result<Outcome,
     if json {
         print_json(results)?;
     } else {
-        print(&format!("{}wrote {}\n", table::results(results, out), out.join("report.html").display()));
+        print(&format!("{}wrote {}\n", table::results(results, out), out.join("report.html").display()))?;
     }
     Ok(if results.holds { Outcome::Holds } else { Outcome::Fails })
 }
@@ -85,7 +85,7 @@ fn show_shard(results: &Results, shard: Shard, out: &Path, json: bool) -> Result
         out.join(TRIALS).display(),
         shard.of()
     );
-    print(&format!("shard {shard}\n{}{next}", table::results(results, out)));
+    print(&format!("shard {shard}\n{}{next}", table::results(results, out)))?;
     Ok(if results.holds { Outcome::Holds } else { Outcome::Fails })
 }
 

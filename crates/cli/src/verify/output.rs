@@ -2,7 +2,7 @@
 
 use crate::keep::files;
 use crate::say::diagnostic::CliError;
-use crate::say::output::{create, json_text};
+use crate::say::output::{create, json_text, withdraw};
 use crate::verify::journal::{CampaignIdentity, SmallestCase};
 use crate::verify::results::{GuaranteeResult, Results, checks_of, file_of};
 use crate::verify::{junit, page};
@@ -33,10 +33,11 @@ impl Finished<'_> {
     /// Writes everything that is about the whole campaign.
     pub(crate) fn write_all(&self, results: &Results, out: &Path) -> Result<(), CliError> {
         self.write_failing(out)?;
-        write(out, "verify.json", json_text(results)?.as_bytes())?;
+        withdraw(&out.join("verify.json"))?;
         create(out.join("junit.xml"), |file| file.write_all(&junit::render(results)?))?;
         let figures: Vec<Rendered> = self.draw(results, out)?.into_iter().collect();
-        write(out, "report.html", page::render(results, &self.identity.text, &figures).as_bytes())
+        write(out, "report.html", page::render(results, &self.identity.text, &figures).as_bytes())?;
+        write(out, "verify.json", json_text(results)?.as_bytes())
     }
 
     /// Every check of every guarantee against the size of the trial's disturbances; nothing without checks.

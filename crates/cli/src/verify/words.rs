@@ -1,21 +1,26 @@
 //! Hypotheses, bounds and failures in words, the same on the terminal, in JUnit and on the page.
 
-use crate::say::words::short;
+use crate::say::words::{apart_in, short};
 use crate::verify::results::GuaranteeResult;
 use slideway_verify::{Guarantee, Hypothesis, Relation};
 
 /// The value of a hypothesis and what it needs.
 pub(crate) fn needed(hypothesis: &Hypothesis) -> String {
-    format!("{}; {} is needed", with_unit(hypothesis.value, &hypothesis.unit), least(hypothesis))
+    let [value, needed] = apart_in([hypothesis.value, hypothesis.needed], &hypothesis.unit);
+    format!("{value}; {} {needed} is needed", relation(hypothesis))
 }
 
 /// The need of a hypothesis.
 pub(crate) fn least(hypothesis: &Hypothesis) -> String {
-    let relation = match hypothesis.relation {
+    let [_, needed] = apart_in([hypothesis.value, hypothesis.needed], &hypothesis.unit);
+    format!("{} {needed}", relation(hypothesis))
+}
+
+fn relation(hypothesis: &Hypothesis) -> &'static str {
+    match hypothesis.relation {
         Relation::AtLeast => "at least",
         Relation::AtMost => "at most",
-    };
-    format!("{relation} {}", with_unit(hypothesis.needed, &hypothesis.unit))
+    }
 }
 
 /// A share in per cent.
@@ -24,7 +29,17 @@ pub(crate) fn percent(share: f64) -> String {
 }
 
 pub(crate) fn with_unit(value: f64, unit: &str) -> String {
-    if unit.is_empty() || unit == "1" { short(value) } else { format!("{} {unit}", short(value)) }
+    let [text] = apart_in([value], unit);
+    text
+}
+
+/// Bounds and value of a guarantee side by side: what is missing takes the place of another and is not shown.
+fn numbers(guarantee: &Guarantee) -> [Option<String>; 3] {
+    let given = [guarantee.lower, guarantee.upper, guarantee.measured];
+    let any = given.iter().flatten().next().copied().unwrap_or(0.0);
+    let [lower, upper, measured] = apart_in(given.map(|value| value.unwrap_or(any)), &guarantee.unit);
+    let shown = [lower, upper, measured];
+    std::array::from_fn(|i| given[i].map(|_| shown[i].clone()))
 }
 
 /// The bound of a guarantee that has none for all trials.
@@ -37,18 +52,22 @@ pub(crate) fn bound(result: &GuaranteeResult) -> String {
 
 /// The bound of a guarantee that is stated before the trials.
 pub(crate) fn stated_bound(guarantee: &Guarantee) -> String {
-    let number = |value: f64| with_unit(value, &guarantee.unit);
-    match (guarantee.lower, guarantee.upper) {
-        (Some(lower), Some(upper)) => format!("{} to {}", short(lower), number(upper)),
-        (Some(lower), None) => format!("at least {}", number(lower)),
-        (None, Some(upper)) => format!("at most {}", number(upper)),
+    let [lower, upper, _] = numbers(guarantee);
+    match (lower, upper) {
+        (Some(lower), Some(upper)) => format!("{lower} to {upper}"),
+        (Some(lower), None) => format!("at least {lower}"),
+        (None, Some(upper)) => format!("at most {upper}"),
         (None, None) => EACH.to_owned(),
     }
 }
 
 /// What a guarantee's value is in the scenario as it is.
 pub(crate) fn as_it_is(guarantee: Option<&Guarantee>) -> String {
-    guarantee.and_then(|g| g.measured.map(|value| with_unit(value, &g.unit))).unwrap_or_else(|| "-".to_owned())
+    let measured = guarantee.and_then(|g| {
+        let [_, _, measured] = numbers(g);
+        measured
+    });
+    measured.unwrap_or_else(|| "-".to_owned())
 }
 
 /// The trial with the smallest margin.
@@ -80,15 +99,15 @@ pub(crate) fn failing(result: &GuaranteeResult, seed: u64) -> Vec<String> {
         ));
     }
     if let Some(f) = &result.failing {
-        let number = |value: f64| with_unit(value, &result.unit);
+        let [measured, bound] = apart_in([f.first.measured, f.first.bound], &result.unit);
         lines.push(format!(
             "{}{text} is violated in {} of {} trials checked, first in trial {} of seed {seed}: {}, bound {}, margin {}",
             result.name,
             result.violations,
             result.trials_checked,
             f.first.trial,
-            number(f.first.measured),
-            number(f.first.bound),
+            measured,
+            bound,
             percent(f.first.margin)
         ));
         lines.push(format!(

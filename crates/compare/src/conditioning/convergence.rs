@@ -15,9 +15,6 @@ pub struct Convergence {
     pub max_distance_m: f64,
 }
 
-/// Divisors of the sampling period.
-const DIVISORS: [f64; 5] = [1.0, 2.0, 5.0, 10.0, 20.0];
-
 /// Samples beyond which a run is left out: seconds of computing.
 const MOST_SAMPLES: f64 = 500_000.0;
 
@@ -29,13 +26,14 @@ const MOST_SAMPLES: f64 = 500_000.0;
 #[allow(clippy::cast_precision_loss)]
 pub(crate) fn convergence(
     problem: &ConditioningProblem,
+    divisors: &[f64],
     steps: &mut Steps<'_, '_>,
 ) -> Result<Vec<Convergence>, CompareError> {
     let mut points = Vec::new();
     if problem.trap.is_some() {
         return Ok(points);
     }
-    for divisor in DIVISORS {
+    for divisor in divisors {
         let period_s = problem.sampling_period / divisor;
         if problem.reference.duration() / period_s > MOST_SAMPLES {
             break;

@@ -6,7 +6,7 @@ mod projected;
 
 pub use field::potential_field_trace;
 pub use filtered::qp_filter_trace;
-pub use projected::{ProjectedTrace, ProjectionKind, projection_trace};
+pub use projected::{ProjectedTrace, ProjectionKind, projected_end, projection_trace};
 
 use slideway_conditioner::path::{Constraint, ConstraintSample, Motion};
 use slideway_lab::conditioning::{

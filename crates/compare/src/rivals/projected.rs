@@ -78,6 +78,16 @@ pub fn projection_trace(problem: &ConditioningProblem) -> Result<ProjectedTrace,
     Ok(projected)
 }
 
+/// Projects the end of the reference onto the allowed set as it is at a time, s: where a conditioned point should come to rest.
+///
+/// # Errors
+///
+/// No projection: the set is empty then, or the solver failed.
+pub fn projected_end(problem: &ConditioningProblem, time: f64) -> Result<Projection<3>, ProjectionError> {
+    let end = problem.reference.at(time, problem.reference.duration(), 0.0);
+    Set::new(problem).project(&end, None, Effort::Many)
+}
+
 impl<'a> Set<'a> {
     fn new(problem: &'a ConditioningProblem) -> Self {
         if problem.constraints.iter().any(NamedConstraint::is_carried) {

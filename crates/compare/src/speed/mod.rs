@@ -16,7 +16,7 @@ use laws::{LawCourse, LawModelError, ModelErrorEntry};
 use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
 use slideway_lab::{Experiment, Method, Trace};
 use slideway_path::SampledPath;
-use summary::SpeedSummary;
+use summary::{LeftOut, SpeedSummary};
 use verdict::SpeedVerdict;
 use windows::windows;
 
@@ -156,6 +156,7 @@ impl Study<'_> {
             spare_joints: experiment.spare_joints(),
             position_excesses,
             disturbances: Some(experiment.disturbances().clone()).filter(|d| !d.are_none()),
+            left_out: experiment.left_out().map(|(methods, reason)| LeftOut { methods, reason }),
             look_ahead: Vec::new(),
         })
     }

@@ -2,6 +2,7 @@
 
 use crate::speed::entries::{MethodEntry, OptimumEntry};
 use crate::speed::judged::{Judged, subject};
+use crate::words::decimals;
 use slideway_lab::{LimitUse, MAX_SAMPLES, Method, Trace};
 use slideway_path::LimitKind;
 
@@ -37,16 +38,26 @@ fn never_moved(method: Method) -> &'static str {
 /// A reference that stands still elsewhere, or one that time ran out on.
 fn unfinished(entry: &MethodEntry, trace: &Trace) -> String {
     let Some(last) = trace.samples.last() else { return "the run has no samples".into() };
+    if entry.summary.method.surveys_the_path() {
+        let farthest = trace.samples.iter().map(|s| s.lambda).fold(f64::NEG_INFINITY, f64::max);
+        return format!(
+            "the reference did not reach the path's end: it turned back or stood still at a singularity, having come to path parameter {} \
+             and ended at {}; another `natural.factor`, or none, may carry it across",
+            decimals(farthest, 4),
+            decimals(last.lambda, 4)
+        );
+    }
     // A chattering reference may stand for a sample: what counts is whether the last tenth of the run brought it on.
     let moving = trace.samples[trace.samples.len() * 9 / 10..].first().is_some_and(|s| s.lambda < last.lambda)
         || (trace.samples.len() < 10 && last.path_rate > 0.0);
     if !moving {
-        return format!("the reference did not reach the path's end, it stopped at path parameter {:.4}", last.lambda);
+        let at = decimals(last.lambda, 4);
+        return format!("the reference did not reach the path's end, it stopped at path parameter {at}");
     }
     format!(
-        "the run was given up after {:.4} s with the reference still moving, at path parameter {:.4}: {}",
-        last.t + trace.sampling_period,
-        last.lambda,
+        "the run was given up after {} s with the reference still moving, at path parameter {}: {}",
+        decimals(last.t + trace.sampling_period, 4),
+        decimals(last.lambda, 4),
         what_would_help(entry, trace)
     )
 }
@@ -81,11 +92,11 @@ fn exceeded(entry: &MethodEntry, speed_only: Option<&OptimumEntry>) -> Option<St
         return None;
     }
     let method = entry.summary.method;
-    let digits = if share < 2.0 { 2 } else { 1 };
+    let share = decimals(share, if share < 2.0 { 2 } else { 1 });
     let speed = matches!(kind, LimitKind::JointSpeed | LimitKind::ToolSpeed);
     let see = if speed || speed_only.is_none() { "" } else { " (see the optimum under speed limits alone)" };
     Some(format!(
-        "the optimum keeps the limits on {kind} and the {}, {}, exceeds them {share:.digits$} times; its time is not comparable{see}",
+        "the optimum keeps the limits on {kind} and the {}, {}, exceeds them {share} times; its time is not comparable{see}",
         subject(method),
         excuse(method, kind)
     ))

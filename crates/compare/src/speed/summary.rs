@@ -3,7 +3,7 @@ use crate::speed::laws::{ModelErrorEntry, ScaledLimits};
 use crate::speed::verdict::SpeedVerdict;
 use crate::speed::windows::WindowEntry;
 use serde::Serialize;
-use slideway_lab::{Disturbances, Effort};
+use slideway_lab::{Disturbances, Effort, Method};
 use slideway_path::PositionExcess;
 
 /// A comparison of speed laws in numbers and words. Times in s, lengths in m, angles in rad.
@@ -33,10 +33,21 @@ pub struct SpeedSummary {
     pub position_excesses: Vec<PositionExcess>,
     /// What disturbed the methods' runs; null where nothing did. The optimum is that of the undisturbed problem.
     pub disturbances: Option<Disturbances>,
+    /// Methods that the limits call for and that cannot be run on this problem, with the reason; null where there are none.
+    pub left_out: Option<LeftOut>,
     /// The look-ahead with windows of several lengths; empty without acceleration limits.
     pub look_ahead: Vec<WindowEntry>,
     /// The verdict.
     pub verdict: SpeedVerdict,
+}
+
+/// Methods that were not run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeftOut {
+    /// The methods.
+    pub methods: Vec<Method>,
+    /// What they need.
+    pub reason: &'static str,
 }
 
 impl SpeedSummary {
@@ -52,6 +63,11 @@ impl SpeedSummary {
         });
         let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
         let disturbed = self.disturbances.as_ref().map(|d| format!("the runs are disturbed: {d}; the optimum is not"));
-        spare.into_iter().chain(self.position_excesses.iter().map(outside)).chain(disturbed).collect()
+        let left_out = self.left_out.as_ref().map(|left| {
+            let names: Vec<&str> = left.methods.iter().map(|method| method.name()).collect();
+            format!("{} left out: {}", names.join(" and "), left.reason)
+        });
+        let excesses = self.position_excesses.iter().map(outside);
+        spare.into_iter().chain(excesses).chain(disturbed).chain(left_out).collect()
     }
 }

@@ -1,7 +1,7 @@
 use crate::speed::entries::{MethodEntry, excess_in_words};
 use crate::speed::judged::{Judged, subject};
 use crate::speed::obstacle::{LIMIT_SLACK, obstacle, reached_a_limit};
-use crate::words::short;
+use crate::words::{fixed, short};
 use serde::Serialize;
 use slideway_lab::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Method};
 use slideway_path::{PositionExcess, PositionSource};
@@ -70,16 +70,15 @@ struct Comparison<'a> {
 impl Comparison<'_> {
     fn sentence(&self) -> String {
         let Judged { entry, optimum, tolerance, .. } = self.judged;
-        let travel = entry.travel_s.unwrap_or(f64::NAN);
+        let [travel, best] = fixed([entry.travel_s.unwrap_or(f64::NAN), optimum.duration_s], 4);
         let name = subject(entry.summary.method);
         let head = if self.holds {
-            format!("Yes: the {name}, {}, needs {travel:.4} s", knowing(entry))
+            format!("Yes: the {name}, {}, needs {travel} s", knowing(entry))
         } else {
-            format!("No: the {name} needs {travel:.4} s")
+            format!("No: the {name} needs {travel} s")
         };
         format!(
-            "{head} where the certified optimum, knowing the whole path, is {:.4} s: {} (tolerance {} %).{}{}{}",
-            optimum.duration_s,
+            "{head} where the certified optimum, knowing the whole path, is {best} s: {} (tolerance {} %).{}{}{}",
             self.apart(),
             100.0 * tolerance,
             self.less(),
@@ -102,9 +101,15 @@ impl Comparison<'_> {
                 self.judged.trace.sampling_period
             ),
             d if d >= 100.0 => format!("{:.1} times as long", self.ratio),
-            d if d >= 0.0 => format!("{d:.2} % slower"),
-            d => format!("{:.2} % less", -d),
+            d if d >= 0.0 => format!("{} % slower", self.beside_tolerance(d)),
+            d => format!("{} % less", self.beside_tolerance(-d)),
         }
+    }
+
+    /// A difference in per cent that reads as the tolerance only where it is the tolerance.
+    fn beside_tolerance(&self, difference: f64) -> String {
+        let [difference, _] = fixed([difference, 100.0 * self.judged.tolerance], 2);
+        difference
     }
 
     /// Why a time below the optimum's is none that the optimum could have.
@@ -138,9 +143,12 @@ impl Comparison<'_> {
     fn trailing(&self) -> String {
         let summary = &self.judged.entry.summary;
         match (summary.duration_s, summary.robot_arrival_s) {
-            (Some(end), Some(arrival)) if arrival - end > self.judged.trace.sampling_period => format!(
-                " The reference finished at {end:.4} s while the robot still trailed; the robot arrived at {arrival:.4} s."
-            ),
+            (Some(end), Some(arrival)) if arrival - end > self.judged.trace.sampling_period => {
+                let [end, arrival] = fixed([end, arrival], 4);
+                format!(
+                    " The reference finished at {end} s while the robot still trailed; the robot arrived at {arrival} s."
+                )
+            }
             _ => String::new(),
         }
     }

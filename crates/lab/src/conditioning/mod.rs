@@ -13,5 +13,5 @@ pub use disturbances::PathDisturbances;
 pub use expression::ExpressionConstraint;
 pub use metrics::{Contact, ContactSummary, PathChattering, PathMethodSummary, distances};
 pub use problem::{ConditioningProblem, MarginChoice, Reference};
-pub use run::{CLOCK_ROUNDING, check_conditioner, run_conditioner};
+pub use run::{CLOCK_ROUNDING, check_conditioner, run_and_settle, run_conditioner};
 pub use trace::{ConditionedSample, ConditionedTrace, MAX_CONSTRAINTS, PathMethod, Phase};

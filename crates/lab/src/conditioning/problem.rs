@@ -2,7 +2,7 @@ use super::constraint::NamedConstraint;
 use super::disturbances::PathDisturbances;
 use super::trace::MAX_CONSTRAINTS;
 use slideway_conditioner::path::{Constraint, Motion, Reserve, SwitchingLaw, TrapSettings};
-use slideway_path::{Fault, ListOf, PositionCurve, ProblemError};
+use slideway_path::{Fault, ListOf, NameFault, PositionCurve, ProblemError};
 use std::ops::Range;
 
 /// A reference with its constraints and the parameters of every method.
@@ -151,13 +151,14 @@ impl ConditioningProblem {
     /// # Errors
     ///
     /// The first value that cannot be used, with its key: numbers that are not positive, no constraints or more than
-    /// [`MAX_CONSTRAINTS`], margins of another number, disturbances out of range, a constraint whose gradient vanishes on its boundary.
+    /// [`MAX_CONSTRAINTS`], names that are empty or stand twice, margins of another number, disturbances out of range, a constraint whose gradient vanishes on its boundary.
     pub fn check(&self) -> Result<(), ProblemError> {
         let count = self.constraints.len();
         if count == 0 || count > MAX_CONSTRAINTS {
             let fault = Fault::OutOfRange { value: count as f64, least: 1.0, most: MAX_CONSTRAINTS as f64 };
             return Err(ProblemError::value("constraint", fault));
         }
+        self.check_names()?;
         if let MarginChoice::Fixed(margins) = &self.margin
             && margins.len() != count
         {
@@ -180,6 +181,27 @@ impl ConditioningProblem {
         positive("potential_field.influence", self.influence)?;
         self.disturbances.check()?;
         self.check_gradients()
+    }
+
+    /// Names stand in the headings of tables: they are there, differ, and need no quotes.
+    fn check_names(&self) -> Result<(), ProblemError> {
+        for (i, constraint) in self.constraints.iter().enumerate() {
+            let name = constraint.name.as_str();
+            let reason = if name.trim().is_empty() {
+                NameFault::Empty
+            } else if name.contains(|c: char| c == ',' || c == '"' || c.is_control()) {
+                NameFault::Character
+            } else if self.constraints[..i].iter().any(|other| other.name == name) {
+                NameFault::Repeated
+            } else {
+                continue;
+            };
+            return Err(ProblemError::value(
+                format!("constraint.{i}.name"),
+                Fault::Name { name: name.to_owned(), reason },
+            ));
+        }
+        Ok(())
     }
 
     /// Looks for places on a boundary where its gradient vanishes: there no push has a direction.

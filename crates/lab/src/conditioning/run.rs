@@ -26,15 +26,32 @@ const MAX_SAMPLES: usize = 5_000_000;
 ///
 /// Parameters that the conditioner refuses.
 pub fn run_conditioner(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, ProblemError> {
+    Ok(run_and_settle(problem, method, &mut |_| true)?.0)
+}
+
+/// Runs one of the conditioner's forms, then leaves the reference at rest at its end until `arrived` is true of a sample. The trace is
+/// that of [`run_conditioner`], without the samples at rest; beside it stands the time from the reference's arrival to the
+/// conditioned point's, s: `None` where either never arrived.
+///
+/// The reference rests for at most [`ConditioningProblem::settling`] seconds, with trap avoidance until its longest duration.
+///
+/// # Errors
+///
+/// Parameters that the conditioner refuses.
+pub fn run_and_settle(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+    arrived: &mut dyn FnMut(&ConditionedSample) -> bool,
+) -> Result<(ConditionedTrace, Option<f64>), ProblemError> {
     match problem.constraints.len() {
-        1 => run::<1>(problem, method),
-        2 => run::<2>(problem, method),
-        3 => run::<3>(problem, method),
-        4 => run::<4>(problem, method),
-        5 => run::<5>(problem, method),
-        6 => run::<6>(problem, method),
-        7 => run::<7>(problem, method),
-        _ => run::<8>(problem, method),
+        1 => run::<1>(problem, method, arrived),
+        2 => run::<2>(problem, method, arrived),
+        3 => run::<3>(problem, method, arrived),
+        4 => run::<4>(problem, method, arrived),
+        5 => run::<5>(problem, method, arrived),
+        6 => run::<6>(problem, method, arrived),
+        7 => run::<7>(problem, method, arrived),
+        _ => run::<8>(problem, method, arrived),
     }
 }
 
@@ -56,7 +73,18 @@ pub fn check_conditioner(problem: &ConditioningProblem, method: PathMethod) -> R
     }
 }
 
+/// Time constants for which a conditioned point is given time to settle: `e^-20` is below any resolution.
+const SETTLING: f64 = 20.0;
+
 impl ConditioningProblem {
+    /// How long a reference at rest at its end waits for the conditioned point, s: twenty times the slowest approach and the push
+    /// filter's time constant together.
+    #[must_use]
+    pub fn settling(&self) -> f64 {
+        let slowest = self.constraints.iter().map(|c| c.approach).fold(0.0, f64::max);
+        SETTLING * (slowest + self.push_cutoff.recip())
+    }
+
     /// Evaluates the first `M` constraints at a motion.
     #[must_use]
     pub fn sample<const M: usize>(&self, motion: &Motion<3>) -> [ConstraintSample<3>; M] {
@@ -104,11 +132,71 @@ fn conditioner<const M: usize>(
     PathConditioner::new(problem.settings(method)).map_err(|error| ProblemError::value("conditioner", error))
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Result<ConditionedTrace, ProblemError> {
+/// One run under way.
+struct Loop<'a, const M: usize> {
+    problem: &'a ConditioningProblem,
+    conditioner: PathConditioner<3, M>,
+    state: PathState<3, M>,
+    world: Surroundings<M>,
+    /// Time of the reference's own clock, s.
+    clock: f64,
+    /// By how much the true time is ahead of the counted one, s: jitter.
+    drift: f64,
+}
+
+impl<const M: usize> Loop<'_, M> {
+    /// Time of sample `k`, s.
+    #[allow(clippy::cast_precision_loss)]
+    fn time(&self, k: usize) -> f64 {
+        k as f64 * self.problem.sampling_period + self.drift
+    }
+
+    /// One sample at time `t` of a reference that runs at `pace` of its rate; how long its period lasts, s, and by how much the
+    /// reference's clock goes on, s.
+    fn step(&mut self, t: f64, pace: f64) -> (ConditionedSample, f64, f64) {
+        let reference = self.problem.reference.at(t, self.clock, pace);
+        self.world.measure();
+        let (problem, world) = (self.problem, &self.world);
+        let seen = |motion: &Motion<3>| world.seen(problem.sample(&world.seen_at(motion)));
+        let step = self.conditioner.step(&mut self.state, &reference, seen);
+        let sample = sample(problem, self.clock, &reference, &step, world);
+        let period = self.world.period(problem.sampling_period);
+        self.drift += period - problem.sampling_period;
+        (sample, period, step.advance * (period / problem.sampling_period))
+    }
+
+    /// Leaves the reference at its end; how long after `finish` the conditioned point arrived, s.
+    fn settle(
+        &mut self,
+        samples: usize,
+        finish: f64,
+        arrived: &mut dyn FnMut(&ConditionedSample) -> bool,
+    ) -> Option<f64> {
+        let most = self.problem.reference.max_duration().max(finish + self.problem.settling());
+        let until = if self.problem.trap.is_some() { most } else { finish + self.problem.settling() };
+        self.clock = self.problem.reference.duration();
+        for k in samples..MAX_SAMPLES {
+            let t = self.time(k);
+            if t > until {
+                break;
+            }
+            if arrived(&self.step(t, 0.0).0) {
+                return Some((t - finish).max(0.0));
+            }
+        }
+        None
+    }
+}
+
+fn run<const M: usize>(
+    problem: &ConditioningProblem,
+    method: PathMethod,
+    arrived: &mut dyn FnMut(&ConditionedSample) -> bool,
+) -> Result<(ConditionedTrace, Option<f64>), ProblemError> {
     let conditioner = conditioner::<M>(problem, method)?;
-    let mut state = start(problem, &conditioner)?;
-    let mut world = Surroundings::<M>::new(&problem.disturbances, problem.sampling_period);
+    let state = start(problem, &conditioner)?;
+    let world = Surroundings::<M>::new(&problem.disturbances, problem.sampling_period);
+    let mut course = Loop { problem, conditioner, state, world, clock: 0.0, drift: 0.0 };
     let mut trace = ConditionedTrace {
         method,
         constraints: problem.constraints.iter().map(|c| c.name.clone()).collect(),
@@ -116,35 +204,33 @@ fn run<const M: usize>(problem: &ConditioningProblem, method: PathMethod) -> Res
         finish_s: None,
         samples: Vec::new(),
     };
-    // By how much the true time is ahead of the counted one, s: jitter.
-    let (mut clock, mut drift) = (0.0, 0.0);
     let duration = problem.reference.duration();
     while trace.samples.len() < MAX_SAMPLES {
-        let t = trace.samples.len() as f64 * problem.sampling_period + drift;
+        let t = course.time(trace.samples.len());
         if t > problem.reference.max_duration() {
             break;
         }
-        let reference = problem.reference.at(t, clock, state.pace());
-        world.measure();
-        let step =
-            conditioner.step(&mut state, &reference, |motion| world.seen(problem.sample(&world.seen_at(motion))));
-        trace.samples.push(sample(problem, clock, &reference, &step, &world));
-        if clock + CLOCK_ROUNDING >= duration {
+        let (sample, period, advance) = course.step(t, course.state.pace());
+        trace.samples.push(sample);
+        if course.clock + CLOCK_ROUNDING >= duration {
             trace.finish_s = Some(t);
             break;
         }
-        let period = world.period(problem.sampling_period);
-        drift += period - problem.sampling_period;
-        let next = clock + step.advance * (period / problem.sampling_period);
+        let next = course.clock + advance;
         if next > duration + CLOCK_ROUNDING {
-            let arrival = t + period * (duration - clock) / (next - clock);
+            let arrival = t + period * (duration - course.clock) / (next - course.clock);
             trace.finish_s =
                 Some(arrival).filter(|arrival| *arrival <= problem.reference.max_duration() + CLOCK_ROUNDING);
             break;
         }
-        clock = next.min(duration);
+        course.clock = next.min(duration);
     }
-    Ok(trace)
+    let last = trace.samples.last().is_some_and(&mut *arrived);
+    let after = trace.finish_s.and_then(|finish| match last {
+        true => Some(0.0),
+        false => course.settle(trace.samples.len(), finish, arrived),
+    });
+    Ok((trace, after))
 }
 
 /// On the reference and with its velocity, or at rest where the scenario puts it.

@@ -1,3 +1,4 @@
+use crate::run::trace::push_number;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::fmt::Write as _;
@@ -148,7 +149,7 @@ impl ConditionedSample {
 }
 
 impl ConditionedTrace {
-    /// Writes the trace as CSV, one row per sample, units in the column names.
+    /// Writes the trace as CSV, one row per sample, units in the column names, nothing where there is no number.
     ///
     /// # Errors
     ///
@@ -168,10 +169,10 @@ impl ConditionedTrace {
             line.clear();
             let _ = write!(line, "{:.10},{}", s.t, s.lambda);
             for value in s.reference.iter().chain(&s.position).chain(&s.push).chain(&s.walk) {
-                let _ = write!(line, ",{value}");
+                push_number(&mut line, *value);
             }
             for i in 0..self.constraints.len() {
-                let _ = write!(line, ",{},{},{}", s.sigma[i], s.phi[i], s.share[i]);
+                [s.sigma[i], s.phi[i], s.share[i]].into_iter().for_each(|value| push_number(&mut line, value));
             }
             writeln!(out, "{line},{}", s.phase.name())?;
         }

@@ -8,7 +8,7 @@ use crate::joints::pad;
 use crate::method::Method;
 use crate::problem::Problem;
 use crate::run::simulate::MAX_SAMPLES;
-use crate::run::trace::{Sample, Trace};
+use crate::run::trace::{Sample, Trace, has_reached_end};
 use slideway_conditioner::AffineSpeed;
 use slideway_path::CartesianPath;
 use slideway_path::{Fault, ProblemError};
@@ -132,13 +132,15 @@ fn as_trace<const N: usize>(
 ) -> Result<Trace, ProblemError> {
     let mut trace = Trace { sampling_period: run.step(), samples: Vec::new(), ..standing(problem, method) };
     let mut euler = problem.start_euler;
-    let mut distance = f64::INFINITY;
+    let (mut distance, mut lambda) = (f64::INFINITY, problem.path.begin());
     for sample in &natural.samples {
         let (recorded, nearness) = record(problem, sample, &mut euler)?;
-        distance = nearness;
+        (distance, lambda) = (nearness, recorded.lambda);
         trace.samples.push(recorded);
     }
-    trace.finish_s = Some(run.ramp.interval());
+    // The time was planned; at a singularity that the flow does not cross the arm turns back all the same.
+    let (begin, end) = (problem.path.begin(), problem.path.end());
+    trace.finish_s = Some(run.ramp.interval()).filter(|_| has_reached_end(end - lambda, end - begin));
     trace.arrival_s = trace.finish_s.filter(|_| distance <= 1.0);
     Ok(trace)
 }

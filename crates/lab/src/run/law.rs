@@ -73,7 +73,7 @@ impl<const N: usize> Law<N> {
 fn initial_state<const N: usize>(problem: &Problem<N>) -> Result<SpeedState, ProblemError> {
     let EndRate::Given(rate) = problem.path.start_rate else { return Ok(SpeedState::at_rest()) };
     let most = problem.control.target_rate;
-    let too_fast = |_| ProblemError::value("limits.start_rate", Fault::OutOfRange { value: rate, least: 0.0, most });
+    let too_fast = |_| ProblemError::value("limits.start_rate", Fault::AboveTarget { rate, target: most });
     SpeedState::moving(rate / most).map_err(too_fast)
 }
 

@@ -119,26 +119,34 @@ impl Trace {
 
     fn row(&self, s: &Sample, line: &mut String) {
         // Times are sums of sampling periods: ten digits hide their rounding and nothing else.
-        let _ = write!(line, "{:.10},", s.t);
+        let _ = write!(line, "{:.10}", s.t);
         for value in [s.lambda, s.path_rate, s.factor, s.switch, s.direction_factor, s.limit_ratio] {
-            let _ = write!(line, "{value},");
+            push_number(line, value);
         }
+        line.push(',');
         if let Some(joint) = s.limiting_joint {
             let _ = write!(line, "{}", joint + 1);
         }
-        for values in [&s.q, &s.desired, &s.commanded] {
-            for value in &values[..self.joints] {
-                let _ = write!(line, ",{value}");
-            }
-        }
-        for value in s.error {
-            let _ = write!(line, ",{value}");
-        }
-        match s.chatter {
-            Some(c) => {
-                let _ = write!(line, ",{},{},{}", c.measured, c.bound, c.estimate);
-            }
-            None => line.push_str(",,,"),
-        }
+        let joints = [&s.q, &s.desired, &s.commanded];
+        let chatter = s.chatter.map_or([f64::NAN; 3], |c| [c.measured, c.bound, c.estimate]);
+        let values = joints.into_iter().flat_map(|values| &values[..self.joints]).chain(&s.error).chain(&chatter);
+        values.for_each(|value| push_number(line, *value));
+    }
+}
+
+/// Share of a path whose remainder is rounding, of summed steps or of an integration.
+const ROUNDING: f64 = 1e-7;
+
+/// True of a reference that has reached the path's end: nothing but rounding `remains` of a path as long as `span`. Of every method
+/// this alone decides.
+pub(crate) fn has_reached_end(remains: f64, span: f64) -> bool {
+    remains <= ROUNDING * span
+}
+
+/// Appends a field of a table: nothing where the number is none.
+pub(crate) fn push_number(line: &mut String, value: f64) {
+    line.push(',');
+    if value.is_finite() {
+        let _ = write!(line, "{value}");
     }
 }

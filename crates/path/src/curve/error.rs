@@ -24,6 +24,16 @@ pub enum CurveError {
         /// The one that repeats it.
         index: usize,
     },
+    /// A dwell, where the spacing goes by the distance that it does not have.
+    #[error(
+        "way-points {before} and {index} (counted from 0) are in the same place, and the spacing goes by their distance"
+    )]
+    NoDistance {
+        /// The way-point before.
+        before: usize,
+        /// The one that repeats it.
+        index: usize,
+    },
     /// As many path parameters as way-points are needed.
     #[error("{found} path parameters given for {expected} way-points")]
     ParameterCount {
@@ -96,6 +106,7 @@ impl CurveError {
             Self::NotFinite { index }
             | Self::TooSteep { index }
             | Self::Repeated { index, .. }
+            | Self::NoDistance { index, .. }
             | Self::NotIncreasing { index, .. }
             | Self::HalfTurn { index, .. } => Some(*index),
             _ => None,
@@ -109,8 +120,9 @@ impl CurveError {
             Self::TooFew { .. } => "give at least two way-points",
             Self::NotFinite { .. } | Self::EndDerivative => "give finite numbers",
             Self::TooSteep { .. } => "move the way-points closer together, or their path parameters apart",
-            Self::Repeated { .. } => {
-                "remove one of the two; where the position is to stay while the orientation turns, give `spacing = \"uniform\"` or `at`"
+            Self::Repeated { .. } => "remove one of the two",
+            Self::NoDistance { .. } => {
+                "remove one of the two; or give `spacing = \"uniform\"` or `at`, and the position stays while the orientation turns"
             }
             Self::ParameterCount { .. } => "give one path parameter per way-point, or leave `at` out",
             Self::NotIncreasing { .. } | Self::Range { .. } => "order the path parameters from small to large",

@@ -50,7 +50,10 @@ impl<const D: usize> Waypoints<D> {
     /// As [`Waypoints::new`].
     pub fn with_dwells(points: Vec<SVector<f64, D>>, spacing: &Spacing, range: Range<f64>) -> Result<Self, CurveError> {
         check_points(&points)?;
-        let at = parameters(spacing, &distances(&points), range)?;
+        let at = parameters(spacing, &distances(&points), range).map_err(|error| match error {
+            CurveError::Repeated { before, index } => CurveError::NoDistance { before, index },
+            error => error,
+        })?;
         Ok(Self { at, points })
     }
 

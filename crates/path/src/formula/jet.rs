@@ -30,6 +30,24 @@ impl Jet {
         [self.0.re, self.0.eps1, self.0.eps1eps2]
     }
 
+    /// A function of the number, from the function's value and first two derivatives there.
+    fn chain(self, [value, first, second]: [f64; 3]) -> Self {
+        let HyperDual64 { eps1, eps2, eps1eps2, .. } = self.0;
+        // What does not change adds nothing, whatever the slope.
+        let times = |slope: f64, change: f64| if change == 0.0 { 0.0 } else { slope * change };
+        let mixed = times(first, eps1eps2) + times(second, eps1 * eps2);
+        Self(HyperDual64::new(value, times(first, eps1), times(first, eps2), mixed))
+    }
+
+    /// The library's own quotient of exponentials overflows from about 355 on.
+    fn tanh(self) -> Self {
+        let value = self.0.re.tanh();
+        let e = (-2.0 * self.0.re.abs()).exp();
+        // 1 - tanh², without cancelling.
+        let first = 4.0 * e / ((1.0 + e) * (1.0 + e));
+        self.chain([value, first, -2.0 * value * first])
+    }
+
     fn is_constant(&self) -> bool {
         self.0.eps1 == 0.0 && self.0.eps2 == 0.0 && self.0.eps1eps2 == 0.0
     }
@@ -39,6 +57,11 @@ impl Jet {
     fn power(self, exponent: Self) -> Self {
         let n = exponent.0.re;
         let with_derivatives = match exponent.is_constant() {
+            // A term whose factor is zero is zero, not zero times the infinity of `0^-1`.
+            true if self.0.re == 0.0 => {
+                let term = |factor: f64, n: f64| if factor == 0.0 { 0.0 } else { factor * 0.0_f64.powf(n) };
+                return self.chain([0.0_f64.powf(n), term(n, n - 1.0), term(n * (n - 1.0), n - 2.0)]);
+            }
             // The products of exponents that derivatives take fit into their integers.
             true if n.fract() == 0.0 && n.abs() <= 1000.0 => return Self(self.0.powi(n as i32)),
             true if self.is_constant() => Self::constant(n).0,
@@ -87,6 +110,7 @@ impl MakeOperators<Jet> for JetOperators {
             // A side that is not a number stays one.
             binary("min", 0, |a, b| if a.0.re.is_nan() || a.0.re <= b.0.re { a } else { b }),
             binary("max", 0, |a, b| if a.0.re.is_nan() || a.0.re >= b.0.re { a } else { b }),
+            // At zero the derivative is that to the right.
             Operator::make_unary("abs", |a| if a.0.re < 0.0 { Jet(-a.0) } else { a }),
             Operator::make_unary("sin", |a| Jet(a.0.sin())),
             Operator::make_unary("cos", |a| Jet(a.0.cos())),
@@ -96,7 +120,7 @@ impl MakeOperators<Jet> for JetOperators {
             Operator::make_unary("atan", |a| Jet(a.0.atan())),
             Operator::make_unary("sinh", |a| Jet(a.0.sinh())),
             Operator::make_unary("cosh", |a| Jet(a.0.cosh())),
-            Operator::make_unary("tanh", |a| Jet(a.0.tanh())),
+            Operator::make_unary("tanh", Jet::tanh),
             Operator::make_unary("asinh", |a| Jet(a.0.asinh())),
             Operator::make_unary("acosh", |a| Jet(a.0.acosh())),
             Operator::make_unary("atanh", |a| Jet(a.0.atanh())),

@@ -50,6 +50,26 @@ pub enum FormulaError {
     },
 }
 
+impl FormulaError {
+    /// What to do about it, in one sentence.
+    #[must_use]
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::Syntax { .. } => {
+                "write + - * / ^ between numbers and names, functions such as sin(...), and close every parenthesis"
+                    .into()
+            }
+            Self::UnknownName { known, .. } => {
+                format!("use the names {known} alone, and functions such as sin, cos, exp and sqrt")
+            }
+            Self::TooLarge { .. } => {
+                format!("shorten it to {MAX_LENGTH} characters, nested {MAX_DEPTH} deep at the most")
+            }
+            Self::NotFinite { .. } => "change it so that its value is a finite number".into(),
+        }
+    }
+}
+
 type Expression = FlatEx<Jet, JetOperators, Literal>;
 
 /// A formula in several variables, and `pi`.
@@ -197,6 +217,42 @@ mod tests {
             assert!(((after[0] - before[0]) / (2.0 * h) - here[1]).abs() < 1e-6, "{text}");
             assert!(((after[1] - before[1]) / (2.0 * h) - here[2]).abs() < 1e-6, "{text}");
         }
+    }
+
+    #[test]
+    fn smooth_functions_have_finite_derivatives_far_out_and_at_zero() {
+        for x in [0.0, 1.0, 20.0, 300.0, 355.0, 400.0, 720.0, 1e4, 1e100, 1e300] {
+            for x in [x, -x] {
+                let [value, first, second] = Formula::new("tanh(lambda)").expect("parses").at(x);
+                // To rounding: sech² = 1 / cosh², which overflows to the right value, 0.
+                let slope = 1.0 / (x.cosh() * x.cosh());
+                assert!(value == x.tanh() && (first - slope).abs() <= 1e-15, "{x}");
+                assert!((second + 2.0 * value * slope).abs() <= 1e-15, "{x}");
+                for text in
+                    ["atan(lambda)", "asinh(lambda)", "exp(-abs(lambda))", "sin(lambda)", "1 / (1 + abs(lambda))"]
+                {
+                    let jet = Formula::new(text).expect("parses").at(x);
+                    assert!(jet.iter().all(|part| part.is_finite()), "{text} at {x}: {jet:?}");
+                }
+            }
+        }
+        for (text, jet) in [
+            ("lambda^0", [1.0, 0.0, 0.0]),
+            ("lambda^1", [0.0, 1.0, 0.0]),
+            ("lambda^2", [0.0, 0.0, 2.0]),
+            ("lambda^3", [0.0, 0.0, 0.0]),
+            ("lambda^2.5", [0.0, 0.0, 0.0]),
+            ("lambda^2.0 + 1", [1.0, 0.0, 2.0]),
+            ("(2 * lambda)^2", [0.0, 0.0, 8.0]),
+            ("abs(lambda)^3", [0.0, 0.0, 0.0]),
+            ("abs(lambda)", [0.0, 1.0, 0.0]),
+            ("(lambda^2)^2", [0.0, 0.0, 0.0]),
+            ("tanh(lambda^2)", [0.0, 0.0, 2.0]),
+        ] {
+            assert_eq!(Formula::new(text).expect("parses").at(0.0), jet, "{text}");
+        }
+        // A derivative that is infinite is not hidden.
+        assert_eq!(Formula::new("lambda^1.5").expect("parses").at(0.0), [0.0, 0.0, f64::INFINITY]);
     }
 
     #[test]

@@ -70,7 +70,8 @@ impl<'a> Tree<'a> {
     pub(crate) fn link(&self, name: &str) -> Result<&'a Link, UrdfError> {
         self.links.get(name).copied().ok_or_else(|| {
             let mut known: Vec<String> = self.links.keys().map(|&l| l.to_owned()).collect();
-            known.sort();
+            // The nearest to what was asked for first: a list may be cut.
+            known.sort_by_cached_key(|link| (strsim::levenshtein(link, name), link.clone()));
             UrdfFault::NoSuchLink { name: name.to_owned(), known }.into()
         })
     }

@@ -1,3 +1,4 @@
+use crate::encoding::Encoding;
 use csv::{ByteRecord, ReaderBuilder, Trim};
 use thiserror::Error;
 
@@ -35,6 +36,20 @@ pub enum TableError {
         /// Widths accepted.
         expected: Vec<usize>,
     },
+    /// Numbers that something other than commas separates.
+    #[error("line {line}: the numbers are separated by {}", separator.describe())]
+    Separator {
+        /// Its line.
+        line: u64,
+        /// What is there in place of commas.
+        separator: Separator,
+    },
+    /// A file that is not UTF-8.
+    #[error("it is {encoding}, not UTF-8")]
+    NotUtf8 {
+        /// How it is written.
+        encoding: Encoding,
+    },
     /// The file cannot be read.
     #[error("cannot be read: {reason}")]
     Read {
@@ -51,6 +66,45 @@ pub enum TableError {
     },
 }
 
+/// What stands between numbers where a comma should.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Separator {
+    /// `;`, with a decimal comma or point.
+    Semicolon,
+    /// A tab.
+    Tab,
+    /// Blanks.
+    Blank,
+}
+
+impl Separator {
+    /// The separator of a line that cannot be read as numbers between commas.
+    fn of(text: &str) -> Option<Self> {
+        let numbers = |parts: &mut dyn Iterator<Item = &str>| {
+            parts
+                .filter(|part| !part.trim().is_empty())
+                .all(|part| part.trim().replace(',', ".").parse::<f64>().is_ok())
+        };
+        let text = text.trim();
+        match () {
+            () if text.contains(';') && numbers(&mut text.split(';')) => Some(Self::Semicolon),
+            () if text.contains('\t') && numbers(&mut text.split('\t')) => Some(Self::Tab),
+            () if !text.contains(',') && text.contains(' ') && numbers(&mut text.split_whitespace()) => {
+                Some(Self::Blank)
+            }
+            () => None,
+        }
+    }
+
+    fn describe(self) -> &'static str {
+        match self {
+            Self::Semicolon => "semicolons",
+            Self::Tab => "tabs",
+            Self::Blank => "blanks",
+        }
+    }
+}
+
 impl TableError {
     /// What to do about it, in one sentence.
     #[must_use]
@@ -60,6 +114,8 @@ impl TableError {
                 "write numbers with a decimal point, separated by commas; names only in the first row"
             }
             Self::WrongWidth { .. } => "give every row as many numbers as a way-point has",
+            Self::Separator { .. } => "separate the numbers by commas, and write them with a decimal point",
+            Self::NotUtf8 { .. } => "save the file as UTF-8",
             Self::Read { .. } => "give the path of a CSV file, relative to the scenario's folder",
             Self::Unreadable { .. } => "write one way-point a line, numbers separated by commas",
         }
@@ -78,10 +134,16 @@ impl NumberTable {
     /// A cell that is not a finite number, a row of another width.
     pub fn parse(bytes: &[u8], widths: &[usize]) -> Result<Self, TableError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        if Encoding::of(bytes) == Encoding::Utf16 {
+            return Err(TableError::NotUtf8 { encoding: Encoding::Utf16 });
+        }
         let mut table = Self { rows: Vec::new(), lines: Vec::new() };
         let mut is_first = true;
         // Line by line: of a record after comments or empty lines the CSV reader reports the line of the first of those.
         for (line, text) in (1..).zip(bytes.split(|&b| b == b'\n')).filter(|(_, text)| !text.starts_with(b"#")) {
+            if let Some(separator) = std::str::from_utf8(text).ok().and_then(Separator::of) {
+                return Err(TableError::Separator { line, separator });
+            }
             let mut reader = ReaderBuilder::new()
                 .has_headers(false)
                 .flexible(true)

@@ -26,6 +26,10 @@ pub(crate) fn reference<const N: usize>(file: &ScenarioFile, folder: &Path) -> R
         }
         return Ok(Reference::Joint(joint_curve(&file.path, joints, folder)?));
     }
+    let rows = task(file.robot.task).rows().len();
+    if rows > N {
+        return Err(ScenarioError::value("robot.task", Fault::TaskRows { rows, joints: N }));
+    }
     let missing = Fault::Missing("a path of the tool needs an inverse, for example `[robot.inverse.adjugate]`");
     let table = file.robot.inverse.as_ref().ok_or_else(|| ScenarioError::value("robot.inverse", missing))?;
     let tool = ToolReference {
@@ -35,11 +39,6 @@ pub(crate) fn reference<const N: usize>(file: &ScenarioFile, folder: &Path) -> R
     };
     let validated = tool.inverse.validate(tool.task, N);
     validated.map_err(|error| ScenarioError::value(inverse_key(table, &error), error))?;
-    let rows = tool.task.rows().len();
-    if rows > N {
-        let fault = Fault::OutOfRange { value: rows as f64, least: 1.0, most: N as f64 };
-        return Err(ScenarioError::value("robot.task", fault));
-    }
     Ok(Reference::Tool(tool))
 }
 

@@ -20,7 +20,7 @@ struct RobotText {
 ///
 /// No robot or several, a file that gives none, or a number of joints that is not supported.
 pub fn robot_in(text: &str, folder: &Path) -> Result<RobotDescription, ScenarioError> {
-    let file: RobotText = from_toml(text)?;
+    let file: RobotText = from_toml(text, |_| None)?;
     describe(&file.robot, folder)
 }
 

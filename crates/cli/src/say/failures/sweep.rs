@@ -1,4 +1,4 @@
-use miette::NamedSource;
+use crate::say::snippet::Snippet;
 use slideway_scenario::locate;
 use slideway_scenario::sweep::SweepError;
 use std::ops::Range;
@@ -19,10 +19,10 @@ impl SweepFailure {
     }
 
     /// The scenario's text with the settings of the cell in it, and where in it the error lies.
-    pub(crate) fn source_and_span(&self) -> (Option<NamedSource<String>>, Option<Range<usize>>) {
+    pub(crate) fn source_and_span(&self) -> (Option<Snippet>, Option<Range<usize>>) {
         let Self { error, file } = self;
         let SweepError::Cell { error, settings, text } = error.as_ref() else { return (None, None) };
         let name = if settings.is_empty() { file.clone() } else { format!("{file} with {settings}") };
-        (Some(NamedSource::new(name, text.clone()).with_language("TOML")), locate(text, error))
+        (Some(Snippet::new(&name, text)), locate(text, error))
     }
 }

@@ -7,7 +7,7 @@ use crate::problem::{Integration, Problem};
 use crate::run::controller::Demand;
 use crate::run::decision::{Decision, Situation};
 use crate::run::law::Law;
-use crate::run::trace::Trace;
+use crate::run::trace::{Trace, has_reached_end};
 use crate::run::world::{World, displaced};
 use slideway_path::ProblemError;
 use slideway_robot::{EulerAngles, JointVector};
@@ -156,9 +156,8 @@ impl<'a, const N: usize> Run<'a, N> {
         self.record(t, &observed, &decision, &here.limits);
         self.begin_period();
         let rate = decision.command.path_rate;
-        // A remainder below 1e-12 of the path is rounding of the summed steps.
         let span = self.problem.path.end() - self.problem.path.begin();
-        if remaining - decision.advance_rate * self.period <= 1e-12 * span && rate > 0.0 {
+        if has_reached_end(remaining - decision.advance_rate * self.period, span) && rate > 0.0 {
             // The controller counts on a whole period; its share is that of the real one.
             self.trace.finish_s = Some(t + remaining / rate * (self.elapsed / self.period));
             self.lambda = self.problem.path.end();
