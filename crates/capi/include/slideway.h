@@ -224,7 +224,7 @@ typedef uint32_t slideway_speed_law;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// How a joint speed beyond the limits is brought back.
+// Rule that brings a joint speed beyond the limits back inside them.
 enum slideway_saturation_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
@@ -243,13 +243,13 @@ typedef uint32_t slideway_saturation_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What an acceleration-limited regulator does to the part of the demand that pulls the robot back to its path.
+// Treatment of the part of an acceleration-limited regulator's demand that pulls the robot back to its path.
 enum slideway_recovery_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-    // Nothing.
+    // Leaves it as it is.
     SLIDEWAY_RECOVERY_KIND_AS_DEMANDED = 0,
     // Scales it so that the joints can brake from it, for a position loop of gain `gain`.
     SLIDEWAY_RECOVERY_KIND_BRAKING = 1,
@@ -262,7 +262,7 @@ typedef uint32_t slideway_recovery_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What an acceleration-limited regulator could do about the demand of one sample.
+// Outcome of one sample of an acceleration-limited regulator: the demand is met, or not.
 enum slideway_keeping
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
@@ -325,7 +325,7 @@ typedef uint32_t slideway_push_law;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What is added to each constraint, so that what must not happen happens inside the allowed set.
+// Margin added to each constraint, so that chattering stays inside the allowed set.
 enum slideway_margin_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
@@ -417,7 +417,7 @@ typedef uint32_t slideway_allowed_side;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// How a built-in shape moves, without turning. A callback moves by itself: it is told the time.
+// Motion of a built-in shape, without turning. A callback moves by itself: it is told the time.
 enum slideway_carrier_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
@@ -574,7 +574,7 @@ typedef struct {
     double value;
 } slideway_refusal;
 
-// What one sample of an acceleration-limited regulator decides. Of an array the first `joints` elements are written.
+// Output of one sample of an acceleration-limited regulator. Of an array the first `joints` elements are written.
 typedef struct {
     // Size of this structure as the caller knows it: `sizeof(slideway_acceleration_command)`.
     uint32_t size;
@@ -582,7 +582,7 @@ typedef struct {
     uint32_t joints;
     // Joint speed to command, rad/s: inside the speed limits and reachable from the last one.
     double joint_speed[SLIDEWAY_MAX_JOINTS];
-    // What was asked at this factor, rad/s.
+    // Demand at this factor, rad/s.
     double desired[SLIDEWAY_MAX_JOINTS];
     // Rate of the path parameter over this sample, 1/s: advance the path parameter by `sampling period * path_rate`.
     double path_rate;
@@ -634,7 +634,7 @@ typedef struct {
     const double *velocity;
 } slideway_path_motion;
 
-// What a callback answers about its constraint `sigma(p, t) <= 0`. Of an array the first `coordinates` elements count.
+// Answer of a callback about its constraint `sigma(p, t) <= 0`. Of an array the first `coordinates` elements count.
 //
 // The callback finds `value` and `gradient` as NaN, which holds the reference if it does not write them, and the three rates as 0,
 // which is right for a flat wall that stands still.
@@ -681,7 +681,7 @@ typedef struct {
     double offset;
     // Radius, in units of the position.
     double radius;
-    // What turns a dimensionless distance into one comparable with lengths.
+    // Factor that turns a dimensionless distance into one comparable with lengths.
     double scale;
     // Exponent of a box, from 2 to 64: the larger, the sharper its edges.
     double exponent;
@@ -739,7 +739,7 @@ typedef struct {
     double margins[SLIDEWAY_MAX_CONSTRAINTS];
     // Switching gain or amplitude, see `slideway_push_law`.
     double push;
-    // How fast the allowed set is regained from outside, in units of the constraint per second.
+    // Rate at which the allowed set is regained from outside, in units of the constraint per second.
     double recovery_rate;
     // Share of the push that the safe walk may use, in (0, 1).
     double push_share;
@@ -753,7 +753,7 @@ typedef struct {
     double walk_growth;
     // Gain of the walk's return, 1/s.
     double return_gain;
-    // How long one random direction lasts, s.
+    // Duration of one random direction, s.
     double direction_period;
     // The conditioned reference is lost when farther than this from the reference.
     double distance_threshold;
@@ -765,13 +765,13 @@ typedef struct {
     uint64_t seed;
 } slideway_path_settings;
 
-// What is known of the path ahead: joint speeds per unit of path rate, `dq / d lambda`, at equidistant nodes that are fixed to the path.
+// Joint speeds per unit of path rate on the path ahead, `dq / d lambda`, at equidistant nodes that are fixed to the path.
 typedef struct {
     // Size of this structure as the caller knows it: `sizeof(slideway_preview)`.
     uint32_t size;
     // Number of nodes; fewer than two give a rate of 0. At the last one the robot must be able to stand.
     uint32_t count;
-    // How far the path parameter is beyond the first node, not negative.
+    // Distance of the current path parameter beyond the first node, not negative.
     double offset;
     // Distance of the nodes in the path parameter.
     double spacing;
@@ -779,8 +779,8 @@ typedef struct {
     const double *path_speeds;
 } slideway_preview;
 
-// What one sample of a path conditioner decides, and the audit of how. Of an array over coordinates the first `coordinates` elements
-// are written, of one over constraints the first `constraint_count`.
+// Output of one sample of a path conditioner, with the audit of how it was found. Of an array over coordinates the first `coordinates`
+// elements are written, of one over constraints the first `constraint_count`.
 typedef struct {
     // Size of this structure as the caller knows it: `sizeof(slideway_path_output)`.
     uint32_t size;
@@ -808,7 +808,7 @@ typedef struct {
     double share[SLIDEWAY_MAX_CONSTRAINTS];
     // The push: of the coming interval in the explicit forms, of the past one in the implicit form.
     double push[SLIDEWAY_MAX_JOINTS];
-    // What the reserve added to the push of the past interval.
+    // Push that the reserve added in the past interval.
     double reserve[SLIDEWAY_MAX_JOINTS];
     // Filtered correction.
     double correction[SLIDEWAY_MAX_JOINTS];
@@ -820,7 +820,7 @@ typedef struct {
     double advance;
 } slideway_path_output;
 
-// What one sample of a speed regulator decides. Of an array the first `joints` elements are written.
+// Output of one sample of a speed regulator. Of an array the first `joints` elements are written.
 typedef struct {
     // Size of this structure as the caller knows it: `sizeof(slideway_speed_command)`.
     uint32_t size;

@@ -58,7 +58,7 @@ pub struct AccelerationSettings {
 
 sized!(AccelerationSettings);
 
-/// What an [`Acceleration`] points to.
+/// The regulator behind a pointer to an [`Acceleration`], with its look-ahead, limits and state.
 pub(crate) struct Loop<const N: usize> {
     regulator: AccelerationRegulator<N>,
     pub(crate) look_ahead: LookAhead<N>,

@@ -22,7 +22,7 @@ pub struct PathMotion {
     pub velocity: *const f64,
 }
 
-/// What a callback answers about its constraint `sigma(p, t) <= 0`. Of an array the first `coordinates` elements count.
+/// Answer of a callback about its constraint `sigma(p, t) <= 0`. Of an array the first `coordinates` elements count.
 ///
 /// The callback finds `value` and `gradient` as NaN, which holds the reference if it does not write them, and the three rates as 0,
 /// which is right for a flat wall that stands still.

@@ -29,7 +29,7 @@ impl SpeedLaw {
     }
 }
 
-/// How a joint speed beyond the limits is brought back.
+/// Rule that brings a joint speed beyond the limits back inside them.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SaturationKind {
@@ -49,17 +49,17 @@ impl SaturationKind {
     }
 }
 
-/// What an acceleration-limited regulator does to the part of the demand that pulls the robot back to its path.
+/// Treatment of the part of an acceleration-limited regulator's demand that pulls the robot back to its path.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RecoveryKind {
-    /// Nothing.
+    /// Leaves it as it is.
     AsDemanded = 0,
     /// Scales it so that the joints can brake from it, for a position loop of gain `gain`.
     Braking = 1,
 }
 
-/// What an acceleration-limited regulator could do about the demand of one sample.
+/// Outcome of one sample of an acceleration-limited regulator: the demand is met, or not.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeping {
@@ -95,7 +95,7 @@ pub enum PushLaw {
     Normalised = 1,
 }
 
-/// What is added to each constraint, so that what must not happen happens inside the allowed set.
+/// Margin added to each constraint, so that chattering stays inside the allowed set.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarginKind {
@@ -161,7 +161,7 @@ impl AllowedSide {
     }
 }
 
-/// How a built-in shape moves, without turning. A callback moves by itself: it is told the time.
+/// Motion of a built-in shape, without turning. A callback moves by itself: it is told the time.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CarrierKind {

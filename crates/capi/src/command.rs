@@ -5,7 +5,7 @@ use crate::MAX_JOINTS;
 use crate::choices::Keeping;
 use crate::memory::{Output, sized};
 
-/// What one sample of a speed regulator decides. Of an array the first `joints` elements are written.
+/// Output of one sample of a speed regulator. Of an array the first `joints` elements are written.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct SpeedCommand {
@@ -66,7 +66,7 @@ impl Output for SpeedCommand {
     }
 }
 
-/// What one sample of an acceleration-limited regulator decides. Of an array the first `joints` elements are written.
+/// Output of one sample of an acceleration-limited regulator. Of an array the first `joints` elements are written.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct AccelerationCommand {
@@ -76,7 +76,7 @@ pub struct AccelerationCommand {
     pub joints: u32,
     /// Joint speed to command, rad/s: inside the speed limits and reachable from the last one.
     pub joint_speed: [f64; MAX_JOINTS],
-    /// What was asked at this factor, rad/s.
+    /// Demand at this factor, rad/s.
     pub desired: [f64; MAX_JOINTS],
     /// Rate of the path parameter over this sample, 1/s: advance the path parameter by `sampling period * path_rate`.
     pub path_rate: f64,

@@ -33,7 +33,7 @@ pub struct Constraint {
     pub offset: f64,
     /// Radius, in units of the position.
     pub radius: f64,
-    /// What turns a dimensionless distance into one comparable with lengths.
+    /// Factor that turns a dimensionless distance into one comparable with lengths.
     pub scale: f64,
     /// Exponent of a box, from 2 to 64: the larger, the sharper its edges.
     pub exponent: f64,

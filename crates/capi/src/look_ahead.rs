@@ -5,7 +5,7 @@ use crate::dispatch::with_joints;
 use crate::memory::{check_pointer, header, read_in, sized, slice, slice_mut, value};
 use crate::status::Status;
 
-/// What is known of the path ahead: joint speeds per unit of path rate, `dq / d lambda`, at equidistant nodes that are fixed to the path.
+/// Joint speeds per unit of path rate on the path ahead, `dq / d lambda`, at equidistant nodes that are fixed to the path.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Preview {
@@ -13,7 +13,7 @@ pub struct Preview {
     pub size: u32,
     /// Number of nodes; fewer than two give a rate of 0. At the last one the robot must be able to stand.
     pub count: u32,
-    /// How far the path parameter is beyond the first node, not negative.
+    /// Distance of the current path parameter beyond the first node, not negative.
     pub offset: f64,
     /// Distance of the nodes in the path parameter.
     pub spacing: f64,

@@ -1,4 +1,4 @@
-//! What lies behind the pointers that cross the border, and the checks of them.
+//! Objects behind the pointers that cross the border, and the checks of those pointers.
 
 use core::mem::{align_of, size_of};
 use core::ptr::addr_of_mut;
@@ -85,7 +85,7 @@ pub(crate) unsafe fn check_out<T: Sized32>(pointer: *mut T) -> Result<u32, Statu
     unsafe { check_size(pointer.cast_const()) }
 }
 
-/// What a call writes, and what it writes if it fails.
+/// A structure that a call writes, and fills with safe values if the call fails.
 pub(crate) trait Output: Sized32 {
     /// Fails safe.
     fn stand(&mut self);

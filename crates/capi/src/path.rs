@@ -25,7 +25,7 @@ impl Kind for Path {
     const NUMBER: u32 = u32::from_be_bytes(*b"pth\x01");
 }
 
-/// What a [`Path`] points to.
+/// The conditioner behind a pointer to a [`Path`], with its constraints and state.
 pub(crate) struct Loop<const N: usize, const M: usize> {
     conditioner: PathConditioner<N, M>,
     walls: [Wall<N>; M],

@@ -6,8 +6,8 @@ use crate::memory::{Output, sized};
 use crate::refusal::NO_INDEX;
 use crate::{MAX_CONSTRAINTS, MAX_JOINTS};
 
-/// What one sample of a path conditioner decides, and the audit of how. Of an array over coordinates the first `coordinates` elements
-/// are written, of one over constraints the first `constraint_count`.
+/// Output of one sample of a path conditioner, with the audit of how it was found. Of an array over coordinates the first `coordinates`
+/// elements are written, of one over constraints the first `constraint_count`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct PathOutput {
@@ -37,7 +37,7 @@ pub struct PathOutput {
     pub share: [f64; MAX_CONSTRAINTS],
     /// The push: of the coming interval in the explicit forms, of the past one in the implicit form.
     pub push: [f64; MAX_JOINTS],
-    /// What the reserve added to the push of the past interval.
+    /// Push that the reserve added in the past interval.
     pub reserve: [f64; MAX_JOINTS],
     /// Filtered correction.
     pub correction: [f64; MAX_JOINTS],

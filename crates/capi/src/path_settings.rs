@@ -39,7 +39,7 @@ pub struct PathSettings {
     pub margins: [f64; MAX_CONSTRAINTS],
     /// Switching gain or amplitude, see `slideway_push_law`.
     pub push: f64,
-    /// How fast the allowed set is regained from outside, in units of the constraint per second.
+    /// Rate at which the allowed set is regained from outside, in units of the constraint per second.
     pub recovery_rate: f64,
     /// Share of the push that the safe walk may use, in (0, 1).
     pub push_share: f64,
@@ -53,7 +53,7 @@ pub struct PathSettings {
     pub walk_growth: f64,
     /// Gain of the walk's return, 1/s.
     pub return_gain: f64,
-    /// How long one random direction lasts, s.
+    /// Duration of one random direction, s.
     pub direction_period: f64,
     /// The conditioned reference is lost when farther than this from the reference.
     pub distance_threshold: f64,

@@ -55,7 +55,7 @@ enum Law<const N: usize> {
     Implicit(ImplicitSpeedRegulator<N>),
 }
 
-/// What a [`Speed`] points to.
+/// The regulator behind a pointer to a [`Speed`], with its state.
 pub(crate) struct Loop<const N: usize> {
     law: Law<N>,
     state: SpeedState,

@@ -60,7 +60,7 @@ pub fn frozen_band_with_feedback(filter_step: f64, overspeed: f64, gain_step: f6
     (filter_step >= gain_step && gain_step >= 0.0).then(|| 1.0 + filter_step * overspeed - filter_step.min(gain_step))
 }
 
-/// Whether the switch acts at all on a path with `g` constant (claim `switching`, exact):
+/// True if the switch acts at all on a path with `g` constant (claim `switching`, exact):
 /// some sample `k` of the run has `g (1 - (1 - f0)(1 - a)^k) > 1`.
 ///
 /// `[G11] eq 21` asks for `g >= 1` only: that is necessary, and not sufficient. A run can end before the filter is there,

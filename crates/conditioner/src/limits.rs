@@ -7,7 +7,7 @@ pub struct SpeedLimits<const N: usize> {
     upper: [f64; N],
 }
 
-/// How a joint-speed vector beyond the limits is brought back.
+/// Rule that brings a joint-speed vector beyond the limits back inside them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Saturation {
     /// Each joint on its own, `[G11] eq 6`. The tool leaves its direction of motion.
@@ -19,7 +19,7 @@ pub enum Saturation {
 /// A joint-speed vector after saturation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saturated<const N: usize> {
-    /// What the joints are commanded: inside the limits, to the last bit.
+    /// Joint speed to command: inside the limits, to the last bit.
     pub joint_speed: [f64; N],
     /// The factor `fdir` of `[G11] eq 8`, in [0, 1]; 0 where the input was not finite. It is
     /// reported for both kinds of saturation and applied by the direction-preserving one.
@@ -70,7 +70,7 @@ impl<const N: usize> SpeedLimits<N> {
         &self.upper
     }
 
-    /// Whether every joint speed lies inside its limits, ends included. NaN lies outside.
+    /// True if every joint speed lies inside its limits, ends included. NaN lies outside.
     #[inline]
     #[must_use]
     pub fn contain(&self, joint_speed: &[f64; N]) -> bool {

@@ -2,7 +2,7 @@ use crate::error::{ParameterError, positive};
 use crate::filter::FirstOrderFilter;
 use crate::limits::{Saturation, SpeedLimits};
 
-/// What moves the path parameter: the two explicit forms of the law.
+/// Rule that advances the path parameter: the two explicit forms of the law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Advance {
     /// `λ̇ = f λ̇d`, as published. While a sample saturates, the reference runs ahead of the robot.
@@ -22,9 +22,9 @@ pub struct SpeedSettings<const N: usize> {
     pub bandwidth: f64,
     /// Target rate of the path parameter `λ̇d`, 1/s: choose it above what the limits allow, `[G11] eq 21`.
     pub target_rate: f64,
-    /// How a desired joint speed beyond the limits is brought back.
+    /// Rule that brings a desired joint speed beyond the limits back inside them.
     pub saturation: Saturation,
-    /// What moves the path parameter.
+    /// Rule that advances the path parameter.
     pub advance: Advance,
 }
 
@@ -83,7 +83,7 @@ impl Switch {
     }
 }
 
-/// What one sample decides.
+/// Output of one sample: the joint speed to command and the rate of the path parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedCommand<const N: usize> {
     /// Joint speed to command, `q̇ds`, inside the limits.

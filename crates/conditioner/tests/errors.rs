@@ -1,4 +1,4 @@
-//! What a refusal says: which number was refused, of which joint counted from one, and what to change.
+//! Texts of refusals: which number was refused, of which joint counted from one, and what to change.
 
 use slideway_conditioner::ParameterError;
 use slideway_conditioner::path::PathQuantity;

@@ -1,4 +1,4 @@
-//! What no conditioner should be given, and what this one makes of it.
+//! Inputs that no conditioner should be given, and this one's answers to them.
 
 mod support;
 
@@ -184,7 +184,7 @@ fn parameters_out_of_range_are_named() {
     assert!(matches!(start, Err(ParameterError::Path { quantity: PathQuantity::Start(1), .. })));
 }
 
-/// What the settings of a trap example say when one of its trap parameters is changed.
+/// The refusal of a trap example with one of its trap parameters changed; `None` if it is accepted.
 fn refused(change: impl FnOnce(&mut TrapSettings)) -> Option<(PathQuantity, f64)> {
     let mut settings = trap_example::<1>(Walk::Safe { push_share: 0.4 }, 5.0, 1);
     let law = SwitchingLaw::Normalised { amplitude: 1.6 };

@@ -6,7 +6,7 @@ mod support;
 use slideway_conditioner::path::{PathForm, PathOutcome, PathStep, SwitchingLaw};
 use support::{distance, explicit, first_example, helix_beside_sphere, implicit, plane_and_sphere, run};
 
-/// What one run of the example amounts to. Lengths in mm, times in s.
+/// Summary of one run of the example. Lengths in mm, times in s.
 struct Summary {
     mean_deviation: f64,
     largest_deviation: f64,

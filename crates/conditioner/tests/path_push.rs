@@ -1,4 +1,4 @@
-//! How large a push is, and when it comes: margin, reserve, recovery, and what the implicit form spends on a sample.
+//! Size and onset of a push: margin, reserve, recovery, and the evaluations that the implicit form spends on a sample.
 
 use std::cell::Cell;
 

@@ -14,7 +14,7 @@ const CUTOFF: f64 = 50.0;
 const APPROACH: f64 = 0.08;
 const RECOVERY: f64 = 1.0;
 
-/// What may be left of a limit, m: 1e-12 of `|σ| + ‖p‖ + K ‖ṗ‖`, which stay below 10, as in the claims.
+/// Largest excess over a limit that may be left, m: 1e-12 of `|σ| + ‖p‖ + K ‖ṗ‖`, which stay below 10, as in the claims.
 const LEFT: f64 = 1e-11;
 
 fn settings(form: PathForm) -> PathSettings<1> {
@@ -31,7 +31,7 @@ fn settings(form: PathForm) -> PathSettings<1> {
 struct Found {
     /// Samples in which the constraint acted.
     acted: u32,
-    /// How far a limit was exceeded at a sample that was not held.
+    /// Largest excess over a limit at a sample that was not held.
     most: f64,
     /// In one sample.
     evaluations: u32,

@@ -1,5 +1,5 @@
-//! What the bounds on signals collect, by planted answers: every sum worked out from its definition for a few samples of two joints
-//! with lopsided limits that shrink on the way.
+//! Collectors of the bounds on signals, against planted answers: every sum worked out from its definition for a few samples of two
+//! joints with lopsided limits that shrink on the way.
 
 use slideway_conditioner::bounds::{
     Progress, ProgressForm, ProgressSums, SignalBand, Signals, TravelInputs, implicit_chattering, travel_bracket,

@@ -4,7 +4,7 @@ use serde::Serialize;
 use slideway_path::{Fault, ListOf, ProblemError};
 use std::fmt;
 
-/// What happens in a run and the controller does not know of: the table `[disturbances]` of a speed scenario. By default nothing.
+/// Disturbances of a run that the controller does not know of: the table `[disturbances]` of a speed scenario. By default none.
 ///
 /// Optimum, certificate and what is known in advance stay those of the undisturbed problem; so do constant speed and natural
 /// motion, in which the arm is exactly on the path. A trace tells the truth: positions, errors, times and arrival are those of the robot
@@ -39,7 +39,7 @@ pub const MOST_DELAY: u32 = 1000;
 pub const MOST_JITTER: f64 = 0.99;
 
 impl fmt::Display for Disturbances {
-    /// What disturbs the runs, in words, apart from the seed.
+    /// Lists the disturbances in words, apart from the seed.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let largest = |list: &[f64]| list.iter().fold(0.0_f64, |most, e| most.max(e.abs()));
         let words = [
@@ -64,7 +64,7 @@ pub(crate) fn in_words(f: &mut fmt::Formatter<'_>, words: &[(f64, &str)]) -> fmt
 }
 
 impl Disturbances {
-    /// Whether there are none.
+    /// True if there are no disturbances.
     #[must_use]
     pub fn are_none(&self) -> bool {
         let zero = |list: &Vec<f64>| list.iter().all(|e| *e == 0.0);
@@ -72,7 +72,7 @@ impl Disturbances {
         lists.into_iter().all(zero) && !self.are_random() && self.delay == 0
     }
 
-    /// Whether the seed changes anything.
+    /// True if the seed changes anything.
     #[must_use]
     pub fn are_random(&self) -> bool {
         self.joint_noise != 0.0 || self.jitter != 0.0

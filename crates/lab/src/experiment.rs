@@ -325,7 +325,7 @@ impl Experiment {
     }
 }
 
-/// What the methods under acceleration limits need.
+/// Requirement of the methods under acceleration limits, as a sentence.
 const ONLINE_LIMITS_NEED: &str = "this method needs joint-acceleration limits, the same along the whole path as the speed limits are, and rest at both ends";
 
 /// Why a method cannot be run in an experiment that does not list it.

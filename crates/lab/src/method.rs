@@ -70,31 +70,31 @@ impl Method {
         }
     }
 
-    /// Whether the speed is regulated, rather than fixed in advance.
+    /// True if the speed is regulated, rather than fixed in advance.
     #[must_use]
     pub fn is_regulated(self) -> bool {
         !self.surveys_the_path() && !matches!(self, Self::Ideal | Self::Saturated | Self::DirectionPreserving)
     }
 
-    /// Whether the method is one of `[N]`: its speed chosen from a survey of the whole path, the arm exactly on it.
+    /// True if the method is one of `[N]`: its speed chosen from a survey of the whole path, the arm exactly on it.
     #[must_use]
     pub fn surveys_the_path(self) -> bool {
         matches!(self, Self::ConstantSpeed | Self::NaturalMotion)
     }
 
-    /// Whether the method keeps limits on joint acceleration, and needs them.
+    /// True if the method keeps limits on joint acceleration, and needs them.
     #[must_use]
     pub fn limits_acceleration(self) -> bool {
         matches!(self, Self::AccelerationLimited | Self::AccelerationLookAhead)
     }
 
-    /// Whether the change of the desired speed is bounded by what is recorded of it: not where the feedback is slowed.
+    /// True if the recorded bound on the change of the desired speed holds: it does not where the feedback is slowed.
     #[must_use]
     pub fn bounds_chattering(self) -> bool {
         self.is_regulated() && !self.limits_acceleration()
     }
 
-    /// What the method knows in advance, for the comparison's table.
+    /// The method's knowledge in advance, in words for the comparison's table.
     #[must_use]
     pub fn knows(self) -> &'static str {
         match self {

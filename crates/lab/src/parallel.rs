@@ -6,14 +6,14 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("cannot start {jobs} threads: {reason}")]
 pub struct ThreadsError {
-    /// How many were asked for.
+    /// Number of threads asked for.
     pub jobs: usize,
-    /// What the system says.
+    /// Reason given by the system.
     pub reason: String,
 }
 
 impl ThreadsError {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> String {
         "ask for fewer with --jobs".into()

@@ -40,14 +40,14 @@ pub struct ControlSettings {
     pub target_rate: f64,
     /// When to give up, s; by default ten times the shortest possible time plus 30 s.
     pub max_duration: Option<f64>,
-    /// What the look-ahead sees, where there are acceleration limits.
+    /// Window of the look-ahead, used where there are acceleration limits.
     pub look_ahead: LookAheadOptions,
 }
 
 /// The look-ahead's window on the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LookAheadOptions {
-    /// How far it sees in the path parameter; by default a quarter of the path.
+    /// Length of the window in the path parameter; by default a quarter of the path.
     pub distance: Option<f64>,
     /// Intervals that distance is divided into.
     pub nodes: u32,

@@ -7,7 +7,7 @@ pub struct Published {
     pub source: &'static str,
     /// The run it belongs to, with the setting where there are two readings of it.
     pub case: String,
-    /// What is measured.
+    /// Quantity that is measured.
     pub quantity: &'static str,
     /// Its unit; empty for a number without one.
     pub unit: &'static str,
@@ -17,13 +17,13 @@ pub struct Published {
     pub ours: Option<f64>,
     /// Largest `|ours - paper|` that counts as agreement.
     pub tolerance: f64,
-    /// Whether they agreed when this row was written.
+    /// Agreement of the two when this row was written.
     pub expected: Agreement,
     /// Why there is no value, or why it differs; empty if there is nothing to say.
     pub remark: &'static str,
 }
 
-/// How a published value and ours relate.
+/// Relation of a published value to ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Agreement {
@@ -58,7 +58,7 @@ impl Published {
         self.ours.map(|ours| (ours - self.paper) / self.paper)
     }
 
-    /// Whether the two agree now. NaN does not.
+    /// Agreement of the two now. NaN differs.
     #[must_use]
     pub fn agreement(&self) -> Agreement {
         match self.ours {
@@ -69,7 +69,7 @@ impl Published {
         }
     }
 
-    /// Whether it agreed before and no longer does.
+    /// True if the two agreed when this row was written and do not agree now.
     #[must_use]
     pub fn is_lost(&self) -> bool {
         self.expected == Agreement::Agrees && self.agreement() != Agreement::Agrees

@@ -111,7 +111,7 @@ impl<const N: usize, const CAPACITY: usize> ArmController<N, CAPACITY> {
         }
     }
 
-    /// What the queue has to do when a mode is entered.
+    /// Sets the queue's pace, or its brake, as the mode that is entered needs it.
     fn enter(&mut self, event: &Event) {
         // Paces of 0, 1 and a validated setting are never refused.
         let pace = match (event.from, event.to) {

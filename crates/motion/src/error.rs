@@ -5,7 +5,7 @@ use slideway_conditioner::ParameterError;
 use slideway_robot::{DynamicsError, RobotError};
 use thiserror::Error;
 
-/// What is continuous.
+/// Quantity that is to be continuous.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Continuity {
     /// Position.
@@ -59,13 +59,13 @@ pub enum MotionError {
     LimitNotPositive {
         /// Which limit.
         quantity: LimitKind,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
     /// A margin that is negative, or that leaves a joint no room between its stops.
     #[error("a margin of {margin} from the stops leaves no room")]
     Margin {
-        /// What was given.
+        /// Margin given, rad or m.
         margin: f64,
     },
     /// A number in a command is NaN or infinite.
@@ -119,7 +119,7 @@ pub enum MotionError {
     Discontinuous {
         /// Joint, counted from 0.
         joint: usize,
-        /// What jumps.
+        /// Quantity that jumps.
         quantity: Continuity,
         /// By how much.
         jump: f64,
@@ -131,7 +131,7 @@ pub enum MotionError {
         joint: usize,
         /// Which limit.
         quantity: LimitKind,
-        /// What it reaches.
+        /// Value reached.
         value: f64,
         /// The limit.
         limit: f64,
@@ -165,13 +165,13 @@ pub enum MotionError {
     /// A path rate outside [0, 1].
     #[error("the path rate is {rate}; it must lie in [0, 1]")]
     Rate {
-        /// What was given.
+        /// Rate given.
         rate: f64,
     },
     /// A sampling period that is not a positive finite number.
     #[error("the sampling period is {period} s; it must be positive and finite")]
     SamplingPeriod {
-        /// What was given, s.
+        /// Period given, s.
         period: f64,
     },
     /// The tool cannot follow its line.
@@ -213,7 +213,7 @@ pub enum MotionError {
     Setting {
         /// Name of the setting.
         name: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
     /// A Cartesian command to a queue that knows no arm.
@@ -261,7 +261,7 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), MotionE
 }
 
 impl MotionError {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {

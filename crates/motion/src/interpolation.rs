@@ -4,7 +4,7 @@ use crate::profile::{
 use crate::{AxisLimits, JointMotion, JointState, MotionError, MotionPlanner};
 use slideway_robot::JointVector;
 
-/// How two positions are joined.
+/// Curve that joins two positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interpolation {
     /// Constant speed, which jumps at both ends: continuity C⁰. Keeps the speed limit only.
@@ -20,7 +20,7 @@ pub enum Interpolation {
 }
 
 impl Interpolation {
-    /// What a stop out of such a motion has to respect; `None` where the speed itself may jump.
+    /// Bound on the change of speed in a stop out of such a motion; `None` where the speed itself may jump.
     #[must_use]
     pub fn ramp(self) -> Option<Ramp> {
         match self {

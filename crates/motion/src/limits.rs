@@ -56,7 +56,7 @@ pub enum LimitKind {
     Jerk,
 }
 
-/// What `N` joints may do: speed, acceleration, jerk, and how close to their stops they may come.
+/// Limits of `N` joints: speed, acceleration, jerk, and the margin kept from their stops.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionLimits<const N: usize> {
     axes: [AxisLimits; N],

@@ -12,7 +12,7 @@ pub struct MotionPlanner<const N: usize> {
     trajectory: Trajectory<N>,
 }
 
-/// How far the generator may end from its target: it accepts its own roots to 1e-8 in position and velocity.
+/// Largest distance of the generator's end from its target: it accepts its own roots to 1e-8 in position and velocity.
 const END_TOLERANCE: f64 = 2e-8;
 
 /// Slack on limits: the generator's own is 1e-12, absolute, in acceleration and velocity.

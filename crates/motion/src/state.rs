@@ -28,7 +28,7 @@ impl AxisState {
         }
     }
 
-    /// Whether all three numbers are finite.
+    /// True if all three numbers are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         self.position.is_finite() && self.velocity.is_finite() && self.acceleration.is_finite()
@@ -69,7 +69,7 @@ impl<const N: usize> JointState<N> {
         AxisState { position: self.q[i], velocity: self.qd[i], acceleration: self.qdd[i] }
     }
 
-    /// Whether every joint's speed and acceleration are exactly zero.
+    /// True if every joint's speed and acceleration are exactly zero.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.qd.iter().chain(self.qdd.iter()).all(|&x| x == 0.0)

@@ -2,12 +2,12 @@ use crate::profile::{Hermite, Profile};
 use crate::{JointMotion, MotionError, MotionLimits};
 use slideway_robot::JointVector;
 
-/// How the velocities at inner way-points are chosen. The first and the last are zero.
+/// Rule for the velocities at inner way-points. The first and the last are zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WayPointRule {
     /// Zero where the direction changes, else the mean of the slopes on both sides: no overshoot at turns; C¹.
     MeanSlope,
-    /// Those of the clamped cubic spline: the acceleration is continuous at the way-points (C² inside the path).
+    /// As in the clamped cubic spline: the acceleration is continuous at the way-points (C² inside the path).
     Spline,
 }
 

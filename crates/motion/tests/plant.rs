@@ -33,8 +33,8 @@ fn energy_per_error(plant: &Plant<3>, wall: &Wall, state: &PlantState<3>, driven
         + 3.0 * (forces + size(linear.transpose() * pressed) + size(dynamics.friction(qd)))
 }
 
-/// What the damper takes in one sample at the tool's speed: where a step begins before a touch and ends after it, its halves may by
-/// chance agree with it and both have missed the touch by as much as the sample is long, in the momentum and in the loss.
+/// Energy that the damper takes in one sample at the tool's speed, J: where a step begins before a touch and ends after it, its halves
+/// may by chance agree with it and both have missed the touch by as much as the sample is long, in the momentum and in the loss.
 fn missed_touch(plant: &Plant<3>, state: &PlantState<3>) -> f64 {
     let velocity = plant.dynamics().arm().jacobian(&state.q).fixed_rows::<3>(0) * state.qd;
     2.0 * DAMPING * velocity.norm_squared() * PERIOD

@@ -1,4 +1,4 @@
-//! What every profile obeys, on random limits and ends.
+//! Laws that every profile obeys, on random limits and ends.
 
 use proptest::prelude::*;
 use slideway_motion::profile::{

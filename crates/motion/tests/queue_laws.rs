@@ -1,4 +1,4 @@
-//! What the set-points of a queue obey under any sequence of commands and interruptions.
+//! Laws that the set-points of a queue obey under any sequence of commands and interruptions.
 
 use proptest::prelude::*;
 use slideway_motion::profile::Ramp;

@@ -21,7 +21,7 @@ fn kinds() -> [SegmentKind; 2] {
     [SegmentKind::Joint, SegmentKind::Tool]
 }
 
-/// What the arm may do in a sample that ends in mode `to`: everything it could.
+/// All states that the arm may have after a sample that ends in mode `to`.
 fn moves(arm: Arm, from: Mode, to: Mode) -> Vec<Arm> {
     let stop = |queue| Arm { queue, speed: 0, braking_for: 0 };
     let paused = |queue| match queue {

@@ -101,7 +101,7 @@ impl<const N: usize> SerialArm<N> {
         })
     }
 
-    /// What comes after joint `i`: the origin of the next joint, or the tool, in the frame of the joint after its motion.
+    /// Origin of the joint or follower after joint `i`, or else the tool, in the frame of joint `i` after its motion.
     pub(crate) fn after_joint(&self, i: usize) -> Pose {
         if let Some(next) = self.followers.iter().find(|follower| follower.after == i + 1) {
             return next.joint.origin;

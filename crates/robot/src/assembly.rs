@@ -9,7 +9,7 @@ pub(crate) struct Assembly {
     last: Last,
 }
 
-/// What the present link is fixed to.
+/// Element that the present link is fixed to.
 #[derive(Clone, Copy)]
 enum Last {
     Base,
@@ -44,7 +44,7 @@ impl Assembly {
         (self.pose, self.last) = (Pose::identity(), Last::Follower);
     }
 
-    /// Whether a load would be moved by a joint.
+    /// True if a joint or a follower moves the present link, and so a load on it.
     pub(crate) fn moves(&self) -> bool {
         !matches!(self.last, Last::Base)
     }

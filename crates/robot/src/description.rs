@@ -25,7 +25,7 @@ pub struct RobotDescription {
     pub tool: Pose,
     /// Gravitational acceleration in the base frame, m/s².
     pub gravity: Vector3<f64>,
-    /// What was guessed, held or left aside.
+    /// Notes on what was guessed, held or left aside.
     pub notes: Vec<Note>,
     /// The DH table the description was made from, if it was.
     pub(crate) dh: Option<Vec<DhRow>>,
@@ -38,7 +38,7 @@ pub struct JointDescription {
     pub name: String,
     /// Where it sits and how it moves.
     pub joint: Joint,
-    /// How far, how fast and how strong.
+    /// Limits of position, speed, torque, acceleration and jerk.
     pub limits: JointLimits,
     /// The link behind it, in the frame of the joint after its motion; massless if nothing is known.
     pub link: LinkInertia,
@@ -109,7 +109,7 @@ impl RobotDescription {
         SerialArm::new(joints, self.tool).with_followers(self.followers.iter().map(|f| f.follower).collect())
     }
 
-    /// Whether any link has a mass: without one there are no torques to compute.
+    /// True if any link has a mass: without one there are no torques to compute.
     #[must_use]
     pub fn has_masses(&self) -> bool {
         let links = self.joints.iter().map(|j| &j.link).chain(self.followers.iter().map(|f| &f.link));

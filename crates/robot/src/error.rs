@@ -1,7 +1,7 @@
 use crate::{DynamicsError, PositionRange};
 use thiserror::Error;
 
-/// What can go wrong with a robot description or a pose.
+/// Error in a robot description, or in solving for a pose.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RobotError {
@@ -12,7 +12,7 @@ pub enum RobotError {
         joint: usize,
         /// Name of the parameter.
         field: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
     /// The arm does not have the geometry that the closed-form inverse kinematics needs.
@@ -32,7 +32,7 @@ pub enum RobotError {
     OutOfReach {
         /// Which part of the arm cannot do it.
         reason: &'static str,
-        /// How far the wrist centre lies outside the reachable shell, m.
+        /// Distance of the wrist centre from the reachable shell, m.
         shortfall: f64,
     },
     /// The numeric inverse kinematics came to rest away from the pose.
@@ -72,7 +72,7 @@ pub enum RobotError {
     NotPositive {
         /// Name of the parameter.
         name: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
     /// A description with another number of joints than wanted.
@@ -118,7 +118,7 @@ pub enum RobotError {
         joint: String,
         /// `velocity`, `effort`, `acceleration` or `jerk`.
         what: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
     /// Masses or drives that no machine has.
@@ -127,7 +127,7 @@ pub enum RobotError {
 }
 
 impl RobotError {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> String {
         match self {

@@ -47,7 +47,7 @@ impl Task {
     }
 }
 
-/// How a tool twist becomes joint speeds.
+/// Method that turns a tool twist into joint speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InverseMethod {
     /// `adj(J) sign(det J) / max(|det J|, epsilon)`, `[G11] eq 24`: keeps the direction of motion at a singularity.

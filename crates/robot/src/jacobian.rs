@@ -44,7 +44,7 @@ impl<const N: usize> SerialArm<N> {
         self.jacobian_rate_at(frames, qd) * qd
     }
 
-    /// How the Jacobian changes while the joints move: `J̇`, the derivative of [`SerialArm::jacobian`] along `q̇`.
+    /// Rate of the Jacobian while the joints move: `J̇`, the derivative of [`SerialArm::jacobian`] along `q̇`.
     ///
     /// Differentiates each column: `ż = ω × z` with the angular velocity `ω` of the link before the joint, and
     /// `d/dt [z × (p - o)] = ż × (p - o) + z × (ṗ - ȯ)`.

@@ -1,7 +1,7 @@
 use crate::Pose;
 use nalgebra::{Rotation3, Translation3, Unit, Vector3};
 
-/// How a joint moves.
+/// Kind of motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {
     /// Turns about its axis; position in rad.

@@ -25,7 +25,7 @@ pub struct PositionRange {
 }
 
 impl PositionRange {
-    /// Whether a position lies in the range; NaN does not.
+    /// True if a position lies in the range; false for NaN.
     #[must_use]
     pub fn contains(&self, q: f64) -> bool {
         q >= self.lower && q <= self.upper

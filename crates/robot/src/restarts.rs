@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 /// Ranges of the joints, `None` where a joint has none.
 pub type PositionRanges<const N: usize> = [Option<PositionRange>; N];
 
-/// How far a joint that slides without limits is sought, m.
+/// Distance from zero within which a joint that slides without limits is sought, m.
 const REACH: f64 = 2.0;
 
 impl<const N: usize> NumericIk<'_, N> {

@@ -25,14 +25,14 @@ fn joint() -> impl Strategy<Value = Joint> {
     })
 }
 
-/// How a configuration is spoilt.
+/// Defect given to a configuration.
 #[derive(Clone, Copy, Debug)]
 enum Defect {
-    /// Not at all.
+    /// No defect.
     None,
     /// One joint's column becomes a combination of two others plus so much of its own: rank lost, nearly or to rounding.
     Dependent(f64),
-    /// As before, twice over: `J̄` itself may lose rank.
+    /// As [`Defect::Dependent`], twice over: `J̄` itself may lose rank.
     Twice(f64),
     /// The path's direction becomes one that the joints can follow as well.
     Reachable(f64),

@@ -446,7 +446,7 @@ proptest! {
     }
 }
 
-/// Whether a place lies inside an element that has been inserted.
+/// True if a place lies inside an element that has been inserted.
 fn inside_junk(text: &str, at: usize) -> bool {
     JUNK.iter().any(|junk| text.match_indices(junk).any(|(begin, _)| begin < at && at < begin + junk.len()))
 }

@@ -6,9 +6,9 @@ pub(crate) mod paths;
 /// A recording that grows.
 #[derive(Default)]
 pub(crate) struct Recording {
-    /// What a program reads.
+    /// Input of a replaying program.
     pub(crate) input: String,
-    /// What it must print.
+    /// Text that the program must print.
     pub(crate) output: String,
 }
 

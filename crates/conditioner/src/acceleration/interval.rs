@@ -65,7 +65,7 @@ impl<const N: usize> Interval<N> {
         self.newton(&rows, x)
     }
 
-    /// Whether [`Interval::greatest`] is at least `x`, but for rounding: what is reachable is everything from rest to the greatest.
+    /// True if [`Interval::greatest`] is at least `x`, but for rounding: everything from rest to the greatest is reachable.
     ///
     /// `turn` is `q''`, the slope of `q'`. An interval without length is the limit of ever shorter ones: its far end is passed at `x` by
     /// some `λ̈`. With the interval that follows, of another slope, more may be possible.
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Whether some `y` in [0, allowed] keeps every row, straight from the rows.
+    /// True if some `y` in [0, allowed] keeps every row, straight from the rows.
     fn is_reachable(interval: &Interval<3>, limits: &AccelerationLimits<3>, x: f64) -> bool {
         let (mut low, mut high) = (0.0_f64, interval.allowed);
         for i in 0..3 {

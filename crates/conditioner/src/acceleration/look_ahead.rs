@@ -18,12 +18,12 @@ pub struct LookAheadSettings<const N: usize> {
     pub margin: f64,
 }
 
-/// What is known of the path ahead: joint speeds per unit of path rate at equidistant nodes that *do not move with the robot*.
+/// Joint speeds per unit of path rate on the path ahead, at equidistant nodes that *do not move with the robot*.
 ///
 /// Nodes fixed to the path are what makes the guarantee exact: the plan of one sample is, cut at its front, a plan of the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Preview<'a, const N: usize> {
-    /// How far the path parameter is beyond the first node, not negative.
+    /// Distance of the current path parameter beyond the first node, not negative.
     pub offset: f64,
     /// Distance of the nodes in the path parameter.
     pub spacing: f64,
@@ -41,7 +41,7 @@ impl<const N: usize> Preview<'_, N> {
 /// Steps of the bisection for a sample's rate: `2^-40` of the target rate is less than a millionth of a millionth of it.
 const HALVINGS: usize = 40;
 
-/// What lies between two nodes of a preview, places counted from the current path parameter.
+/// Part of the path between two nodes of a preview, places counted from the current path parameter.
 #[derive(Clone, Copy)]
 struct Stretch<'a, const N: usize> {
     near: &'a [f64; N],
@@ -189,19 +189,19 @@ impl<const N: usize> LookAhead<N> {
         self.interval(stretch, begin).greatest(&self.settings.acceleration_limits, 1.0 - self.settings.margin)
     }
 
-    /// Whether `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost; at its end, whether it is
-    /// passed at `b` by a plan from within.
+    /// True if `b` at a place of a stretch is at most [`LookAhead::range_from`] there, at a third of the cost; at the stretch's end,
+    /// true if the end is passed at `b` by a plan from within.
     fn is_in_range(&self, b: f64, stretch: &Stretch<'_, N>, turn: &[f64; N], begin: f64) -> bool {
         self.interval(stretch, begin).reaches(&self.settings.acceleration_limits, 1.0 - self.settings.margin, turn, b)
     }
 
-    /// Whether the rate that is evaluated at the end of a stretch is kept there, by a plan from within.
+    /// True if the rate that is evaluated at the end of a stretch is kept there, by a plan from within.
     fn is_passed(&self, stretch: &Stretch<'_, N>) -> bool {
         let rate = self.rate_evaluated_at(stretch.end());
         rate <= self.settings.target_rate && self.is_in_range(rate * rate, stretch, &stretch.turn(), stretch.end())
     }
 
-    /// What is left of a stretch from a place on.
+    /// Interval from a place of a stretch to its end.
     fn interval(&self, stretch: &Stretch<'_, N>, begin: f64) -> Interval<N> {
         let near = between(stretch.near, stretch.far, (begin - stretch.node) / stretch.spacing);
         let length = stretch.end() - begin;

@@ -5,10 +5,10 @@ use crate::filter::FirstOrderFilter;
 use crate::implicit::AffineSpeed;
 use crate::limits::SpeedLimits;
 
-/// What is done to the feedback part of the demand, which pulls the robot back to the path.
+/// Treatment of the feedback part of the demand, which pulls the robot back to the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Recovery {
-    /// Nothing. A position loop `q̇ = Kp e` under bounded acceleration overshoots unless `Kp · speed <= deceleration`.
+    /// Left as it is. A position loop `q̇ = Kp e` under bounded acceleration overshoots unless `Kp · speed <= deceleration`.
     AsDemanded,
     /// It is scaled so that the joints can brake from it, for a position loop of gain `Kp`.
     ///
@@ -39,7 +39,7 @@ pub struct AccelerationSettings<const N: usize> {
     pub bandwidth: f64,
     /// Target rate of the path parameter `λ̇d`, 1/s.
     pub target_rate: f64,
-    /// How the robot returns to the path.
+    /// Treatment of the feedback, by which the robot returns to the path.
     pub recovery: Recovery,
 }
 
@@ -88,7 +88,7 @@ impl<const N: usize> AccelerationState<N> {
     }
 }
 
-/// Whether a sample could do what was asked.
+/// Outcome of one sample: the demand is met, or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PathKeeping {
     /// The demand is commanded as it is.
@@ -102,12 +102,12 @@ pub enum PathKeeping {
     Brakes,
 }
 
-/// What one sample decides.
+/// Output of one sample: the joint speed to command and the rate of the path parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AccelerationCommand<const N: usize> {
     /// Joint speed to command, inside the speed limits and reachable from the last one.
     pub joint_speed: [f64; N],
-    /// What was asked at this factor, `A + f B`, rad/s.
+    /// Demand at this factor, `A + f B`, rad/s.
     pub desired: [f64; N],
     /// Rate of the path parameter over this sample, `λ̇`: advance `λ` by `Ts * path_rate`.
     pub path_rate: f64,
@@ -116,7 +116,7 @@ pub struct AccelerationCommand<const N: usize> {
     /// Selection of the set-valued switch: the filter's input that leads to this factor. 1 where nothing limits, above 1 where
     /// the joints cannot slow down as fast as the path asks and the reference is pulled along.
     pub switch: f64,
-    /// Whether the demand is met.
+    /// Outcome: the demand is met, or not.
     pub keeping: PathKeeping,
 }
 
@@ -255,7 +255,7 @@ impl<const N: usize> AccelerationRegulator<N> {
     }
 }
 
-/// Whether a command is its demand up to the rounding of `A + f B` and of the closed form for `f`.
+/// Compares a command with its demand, up to the rounding of `A + f B` and of the closed form for `f`.
 ///
 /// The difference `limit - A` and the quotient by `B` each round once, the product and the sum again: four roundings relative to
 /// the largest of `|A|`, `|f B|` and the limit, which is at most their sum. Eight halves of `EPSILON` on three terms cover

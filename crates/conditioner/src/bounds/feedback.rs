@@ -23,7 +23,7 @@ pub struct FeedbackLoop {
     pub initial_lag: f64,
 }
 
-/// What a [`FeedbackLoop`] keeps for ever, in the synchronised form.
+/// Bounds that a [`FeedbackLoop`] keeps for ever, in the synchronised form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FeedbackBand {
     /// `E`: at every sample `Kp |q_d,i(λ) - q_i| <= E w_i`, so joint `i` lags by at most `E w_i / Kp`.

@@ -83,7 +83,7 @@ impl Progress {
         self.last = Some(Before { below, feedback, length });
     }
 
-    /// What was collected.
+    /// The sums over the samples so far.
     #[must_use]
     pub fn sums(&self) -> ProgressSums {
         self.sums
@@ -100,7 +100,7 @@ impl Progress {
     }
 }
 
-/// What the bracket of the travel time is computed from besides the sums. Times in s.
+/// Inputs to the bracket of the travel time: the sums and the numbers that go with them. Times in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TravelInputs {
     /// The sums, in samples.

@@ -41,7 +41,7 @@ impl Signals {
         start: 0.0,
     };
 
-    /// Whether every supremum is at most the other's. NaN is not.
+    /// True if every supremum is at most the other's; false with NaN.
     #[must_use]
     pub fn within(&self, other: &Self) -> bool {
         self.as_array().iter().zip(&other.as_array()).all(|(a, b)| a <= b)
@@ -139,7 +139,7 @@ impl<const N: usize> SignalBand<N> {
         self.last = Some(now);
     }
 
-    /// What was collected.
+    /// The suprema over the samples so far.
     #[must_use]
     pub fn signals(&self) -> Signals {
         self.signals

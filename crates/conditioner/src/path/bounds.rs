@@ -13,7 +13,7 @@ pub fn chattering_estimate(period: f64, cutoff: f64, approach: f64, push: f64, g
     period * cutoff * cutoff * approach * libm::fabs(push) * libm::fabs(gradient)
 }
 
-/// How far `φ` falls over one sample per unit of push along a unit gradient, zero-order hold: `γ1 + K γ2`.
+/// Fall of `φ` over one sample per unit of push along a unit gradient, zero-order hold: `γ1 + K γ2`.
 ///
 /// `γ1` and `γ2` are what a unit push held for the sampling period adds to position and velocity: `G = (γ1 + K γ2) ‖u_SM‖ ‖∇σ‖`.
 #[must_use]
@@ -47,13 +47,13 @@ pub fn appendix_upper_band(push: f64, drift_max: f64) -> f64 {
     positive_part(drift_max) + positive_part(drift_max - 0.25 * push) + positive_part(drift_max - 0.75 * push)
 }
 
-/// What one constraint feels of a push shared by two: `G √((1 + c) / 2)`, `c` the cosine between the gradients.
+/// Fall of one constraint's `φ` over one sample under a push shared by two: `G √((1 + c) / 2)`, `c` the cosine between the gradients.
 #[must_use]
 pub fn pair_push(push: f64, cosine: f64) -> f64 {
     push * libm::sqrt(positive_part(0.5 * (1.0 + cosine)))
 }
 
-/// How far `φ` can rise between two samples at which it is not positive: `T² sup |φ̈| / 8`. `σ` rises no further.
+/// Largest rise of `φ` between two samples at which it is not positive: `T² sup |φ̈| / 8`. `σ` rises no further.
 #[must_use]
 pub fn between_samples(period: f64, second_derivative: f64) -> f64 {
     0.125 * period * period * libm::fabs(second_derivative)

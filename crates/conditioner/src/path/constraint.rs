@@ -14,14 +14,14 @@ pub struct Motion<const N: usize> {
 }
 
 impl<const N: usize> Motion<N> {
-    /// Whether time, position and velocity are all finite.
+    /// True if time, position and velocity are all finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         self.time.is_finite() && finite(&self.position) && finite(&self.velocity)
     }
 }
 
-/// What a conditioner has to know about one constraint `σ(p, t) <= 0` at one motion, and all it ever learns about it.
+/// One constraint `σ(p, t) <= 0` evaluated at one motion: all that a conditioner ever learns about it.
 ///
 /// `σ` and its gradient serve the explicit forms; the reserve, the implicit form and the safe walk also use the two rates.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -60,7 +60,7 @@ struct ActiveSet<const N: usize, const M: usize> {
     active: [bool; M],
 }
 
-/// How far one step goes, and why it ends there.
+/// Event that ends a step towards the entering constraint.
 enum Block {
     /// A multiplier reaches zero: this constraint leaves.
     Dual(usize),

@@ -78,7 +78,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         full
     }
 
-    /// How much `φ_i` falls over one sample per unit of push along a unit gradient: `γ1 + K γ2`, and the paper's
+    /// Fall of `φ_i` over one sample per unit of push along a unit gradient: `γ1 + K γ2`, and the paper's
     /// `T α1² K` for the appendix's scheme.
     #[inline(always)]
     pub(super) fn per_push(&self, approach: f64) -> f64 {

@@ -2,7 +2,7 @@ use libm::{cos, exp, sin, tan};
 
 use super::vector::add_scaled;
 
-/// How the continuous filters of `[G12] eq 5, 6` become difference equations.
+/// Rule that turns the continuous filters of `[G12] eq 5, 6` into difference equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Discretisation {
     /// Exact for an input held over the sample.
@@ -57,7 +57,7 @@ impl PushFilter {
         Self { a: [[-a1, 1.0], [-a2, 0.0]], b: [2.0 * b0 - a1 * b0, b0 - a2 * b0], feedthrough: b0 }
     }
 
-    /// What an input held over one sample adds to position and velocity: `(γ1, γ2)`, zero-order hold only.
+    /// Gain of position and velocity from a unit input held over one sample: `(γ1, γ2)`, zero-order hold only.
     pub(crate) fn reach(&self) -> [f64; 2] {
         self.b
     }
@@ -121,7 +121,7 @@ impl RateFilter {
         memory + self.feedthrough * input
     }
 
-    /// What the integral gains over one sample.
+    /// Gain of the integral over one sample.
     #[inline(always)]
     pub(crate) fn gained(&self, memory: f64, input: f64) -> f64 {
         self.from_rate * memory + self.from_input * input

@@ -17,7 +17,7 @@ pub enum HoldReason {
     CorrectionNotFound,
 }
 
-/// What the filter did with the reference at one sample.
+/// Outcome of one sample: the reference passed as it is, was bent, or was held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PathOutcome {
     /// No constraint acted.
@@ -30,7 +30,7 @@ pub enum PathOutcome {
     Held(HoldReason),
 }
 
-/// What the trap avoidance does at one sample.
+/// State of the trap avoidance at one sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrapPhase {
     /// The reference moves on.
@@ -43,12 +43,12 @@ pub enum TrapPhase {
     Blocked,
 }
 
-/// What one sample decides, and the audit of how.
+/// Output of one sample: the conditioned reference and the audit of how it was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathStep<const N: usize, const M: usize> {
     /// The conditioned reference `p*` and its velocity, always finite.
     pub motion: Motion<N>,
-    /// What the filter did.
+    /// Outcome of the sample.
     pub outcome: PathOutcome,
     /// `σ_i` at the conditioned reference. NaN only where the constraint itself gives NaN.
     pub sigma: [f64; M],
@@ -58,13 +58,13 @@ pub struct PathStep<const N: usize, const M: usize> {
     pub share: [f64; M],
     /// `u_1`: for the explicit forms the push of the coming interval, for the implicit form that of the past one.
     pub push: [f64; N],
-    /// What the reserve added to the push of the past interval: zero unless the outcome says so.
+    /// Push that the reserve added in the past interval: zero unless the outcome says so.
     pub reserve: [f64; N],
     /// Filtered correction `f_SM`.
     pub correction: [f64; N],
     /// Walk `f_RW`.
     pub walk: [f64; N],
-    /// What the trap avoidance does.
+    /// State of the trap avoidance.
     pub trap: TrapPhase,
     /// `f_SP` at the next sample: multiply the commanded path rate by it for the reference's velocity.
     pub pace: f64,

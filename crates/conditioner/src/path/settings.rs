@@ -18,14 +18,14 @@ pub enum SwitchingLaw {
     },
 }
 
-/// What an explicit form does when its push is not enough.
+/// Fallback of an explicit form for when its push is not enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reserve {
-    /// Nothing, as published: a constraint may break.
+    /// None, as published: a constraint may break.
     Off,
     /// Adds the smallest push that brings every constraint back into its band at this very sample, and reports it.
     On {
-        /// How fast a band left behind is regained, in units of `σ` per second.
+        /// Rate at which a band left behind is regained, in units of `σ` per second.
         recovery_rate: f64,
     },
 }
@@ -37,7 +37,7 @@ pub enum PathForm {
     Sliding {
         /// The switching law.
         law: SwitchingLaw,
-        /// What helps when the push is not enough.
+        /// Fallback for when the push is not enough.
         reserve: Reserve,
     },
     /// The appendix's scheme: prewarped Tustin filters, finite differences, one sample of lag.
@@ -52,7 +52,7 @@ pub enum PathForm {
     },
 }
 
-/// What is added to every `φ_i`, so that what must not happen happens inside the allowed set (`[G12] 5.2`).
+/// Margin added to every `φ_i`, so that chattering stays inside the allowed set (`[G12] 5.2`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Margin<const M: usize> {
     /// Nothing.
@@ -64,7 +64,7 @@ pub enum Margin<const M: usize> {
     Fixed([f64; M]),
 }
 
-/// How the walk out of a trap chooses its speed.
+/// Speed law of the walk out of a trap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Walk {
     /// `Kc + Kv t_trap`, `[G12] eq 27`. May ask for more push than there is: constraints can break.
@@ -86,7 +86,7 @@ pub struct TrapSettings {
     pub walk_cutoff: f64,
     /// Cutoff frequency of the filter behind `f_SP`, rad/s.
     pub pace_cutoff: f64,
-    /// How the walk chooses its speed.
+    /// Speed law of the walk.
     pub walk: Walk,
     /// `Kc`, walk speed at first, units of position per second.
     pub walk_speed: f64,

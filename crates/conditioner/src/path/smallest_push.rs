@@ -20,7 +20,7 @@ const RESTORATIONS: usize = 5;
 /// left of the path is a share `T / 2 K` of it.
 const CONVERGED: f64 = 1e-8;
 
-/// What may be left of a violated limit, relative to the same size: some ten roundings of 1e-16 for the sums, times a
+/// Largest violation of a limit that may be left, relative to the same size: some ten roundings of 1e-16 for the sums, times a
 /// condition of up to 1e3. A change along the boundary does not show in `φ_i`, so this is asked for separately.
 const KEPT: f64 = 1e-12;
 
@@ -58,7 +58,7 @@ impl<const N: usize, const M: usize> PathConditioner<N, M> {
         Ok(push)
     }
 
-    /// How far each `φ_i` plus margin lies above its band.
+    /// Height of each `φ_i` plus margin above its band.
     #[inline(always)]
     fn beyond(&self, limits: &Limits<M>, now: &Evaluated<N, M>) -> [f64; M] {
         difference(&now.excess, &self.band(limits.law, &now.samples))
@@ -190,11 +190,11 @@ fn not_found(reason: NoCorrection) -> HoldReason {
     }
 }
 
-/// What bounds each `φ_i` plus margin at this sample.
+/// Upper bounds of each `φ_i` plus margin at this sample.
 struct Limits<const M: usize> {
     /// The explicit law whose band counts; none for the implicit form.
     law: Option<SwitchingLaw>,
-    /// What the recovery leaves of how far the last sample was beyond its band: zero from inside.
+    /// Excess over its band that each may still have: the last sample's less the recovery; zero from inside.
     left: [f64; M],
 }
 

@@ -40,7 +40,7 @@ pub(crate) struct TrapState<const N: usize> {
 pub struct PathState<const N: usize, const M: usize> {
     pub(crate) push: PushState<N>,
     pub(crate) trap: TrapState<N>,
-    /// How far `φ_i` plus margin was above its band at the last sample, for the recovery.
+    /// Height of each `φ_i` plus margin above its band at the last sample, for the recovery.
     pub(crate) beyond: [f64; M],
     /// The motion given out last.
     pub(crate) last: Motion<N>,

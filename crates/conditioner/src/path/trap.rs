@@ -16,7 +16,7 @@ pub(crate) struct TrapAvoidance {
     period: f64,
 }
 
-/// What the trap avoidance looks at.
+/// Inputs of the trap avoidance at one sample.
 pub(crate) struct Situation<'a, const N: usize, const M: usize> {
     /// Distance between conditioned reference and reference.
     pub(crate) distance: f64,

@@ -38,7 +38,7 @@ pub(crate) fn difference<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N]
     add_scaled(a, -1.0, b)
 }
 
-/// Whether every component is a finite number: 0 times it is then 0, and NaN otherwise. One branch instead of `N`.
+/// True if every component is a finite number: 0 times it is then 0, and NaN otherwise. One branch instead of `N`.
 #[inline(always)]
 pub(crate) fn finite<const N: usize>(a: &[f64; N]) -> bool {
     a.iter().map(|x| 0.0 * x).sum::<f64>() == 0.0

@@ -99,7 +99,7 @@ mod tests {
         }
     }
 
-    /// What rounding leaves of a gradient that depends on another one is no gradient: it would forbid a direction more.
+    /// The rounding left of a gradient that depends on another one is no gradient: it would forbid one direction more.
     #[test]
     fn a_gradient_and_its_multiples_leave_the_other_direction_of_a_plane() {
         for k in 0..100_u32 {

@@ -14,7 +14,7 @@ pub struct NamedConstraint {
     pub name: String,
     /// Approach time `K`, s.
     pub approach: f64,
-    /// What is allowed.
+    /// Shape of the allowed set.
     pub shape: Shape3,
     /// Half-space or ball data and the like, for baselines with a closed form: the shape as the scenario gives it.
     motion: Option<Carrier>,

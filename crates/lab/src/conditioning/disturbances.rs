@@ -4,8 +4,8 @@ use slideway_conditioner::path::{ConstraintSample, Motion};
 use slideway_path::ProblemError;
 use std::fmt;
 
-/// What happens in a conditioned run and the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By
-/// default nothing.
+/// Disturbances of a conditioned run that the conditioner does not know of: the table `[disturbances]` of a conditioning scenario. By
+/// default none.
 ///
 /// They concern the forms of the conditioner; the methods that it is compared with run without. The conditioned position is the
 /// conditioner's own output and needs no measurement: what it is told about the constraints does. A trace tells the truth: `σ` and
@@ -26,7 +26,7 @@ pub struct PathDisturbances {
 }
 
 impl fmt::Display for PathDisturbances {
-    /// What disturbs the runs, in words, apart from the seed.
+    /// Lists the disturbances in words, apart from the seed.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let off = self.initial_error.iter().map(|e| e * e).sum::<f64>().sqrt();
         let words = [
@@ -40,19 +40,19 @@ impl fmt::Display for PathDisturbances {
 }
 
 impl PathDisturbances {
-    /// Whether there are none.
+    /// True if there are no disturbances.
     #[must_use]
     pub fn are_none(&self) -> bool {
         self.initial_error == [0.0; 3] && !self.are_random() && self.delay == 0
     }
 
-    /// Whether the seed changes anything.
+    /// True if the seed changes anything.
     #[must_use]
     pub fn are_random(&self) -> bool {
         self.distance_noise != 0.0 || self.jitter != 0.0
     }
 
-    /// Whether they can be meant; NaN cannot.
+    /// Refuses values that cannot be meant; NaN is one.
     ///
     /// # Errors
     ///
@@ -67,12 +67,12 @@ impl PathDisturbances {
     }
 }
 
-/// What the conditioner is told about the constraints, and how long its periods last.
+/// The conditioner's disturbed view of the constraints, and the real lengths of its periods.
 pub(crate) struct Surroundings<const M: usize> {
     /// Noise of this sample, m; the same for every evaluation in it.
     noise: Option<[f64; M]>,
     amplitude: f64,
-    /// How late the constraints are seen, s.
+    /// Age of the constraints as they are seen, s.
     late: f64,
     jitter: f64,
     measuring: Uniform,
@@ -91,7 +91,7 @@ impl<const M: usize> Surroundings<M> {
         }
     }
 
-    /// Whether the conditioner is told the truth.
+    /// True if the conditioner sees the constraints as they are.
     pub(crate) fn shows_the_truth(&self) -> bool {
         self.amplitude == 0.0 && self.late == 0.0
     }
@@ -107,7 +107,7 @@ impl<const M: usize> Surroundings<M> {
         if self.late == 0.0 { *motion } else { Motion { time: (motion.time - self.late).max(0.0), ..*motion } }
     }
 
-    /// What is seen of constraints that are so.
+    /// The constraints as they are seen, their values off by the noise of this sample.
     pub(crate) fn seen(&self, mut samples: [ConstraintSample<3>; M]) -> [ConstraintSample<3>; M] {
         for (sample, noise) in samples.iter_mut().zip(self.noise.iter().flatten()) {
             sample.value += noise;
@@ -115,7 +115,7 @@ impl<const M: usize> Surroundings<M> {
         samples
     }
 
-    /// How long the coming period really lasts, s. Call it once a sample.
+    /// Real length of the coming period, s. Call it once a sample.
     pub(crate) fn period(&mut self, nominal: f64) -> f64 {
         if self.jitter == 0.0 { nominal } else { nominal * (1.0 + self.jitter * self.clock.next()) }
     }

@@ -3,12 +3,12 @@ use super::trace::{ConditionedSample, ConditionedTrace, PathMethod, Phase};
 use serde::{Deserialize, Serialize};
 use slideway_conditioner::path::bounds;
 
-/// What one run comes to. One entry per constraint where a list is given.
+/// Summary of one run. One entry per constraint where a list is given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PathMethodSummary {
     /// The method.
     pub method: PathMethod,
-    /// Whether the reference reached its end.
+    /// True if the reference reached its end.
     pub completed: bool,
     /// When it did, s.
     pub duration_s: Option<f64>,

@@ -20,9 +20,9 @@ pub struct ConditioningProblem {
     pub law: SwitchingLaw,
     /// Safety margin of the explicit form.
     pub margin: MarginChoice,
-    /// What helps the explicit form when its push is not enough.
+    /// Fallback of the explicit form for when its push is not enough.
     pub reserve: Reserve,
-    /// How fast the implicit form comes back from outside, units of `σ` per second.
+    /// Rate at which the implicit form comes back from outside, units of `σ` per second.
     pub recovery_rate: f64,
     /// Trap avoidance.
     pub trap: Option<TrapSettings>,
@@ -32,7 +32,7 @@ pub struct ConditioningProblem {
     pub repulsion: f64,
     /// Distance of influence of the potential field, m.
     pub influence: f64,
-    /// What the conditioner does not know of.
+    /// Disturbances that the conditioner does not know of.
     pub disturbances: PathDisturbances,
 }
 
@@ -233,8 +233,8 @@ impl ConditioningProblem {
     }
 }
 
-/// How long the gradient is on the boundary nearest to a point, relative to where the search began; `None` if the boundary
-/// was not found.
+/// Length of the gradient on the boundary nearest to a point, as a multiple of its length where the search began; `None` if the
+/// boundary was not found.
 fn boundary_gradient(constraint: &NamedConstraint, reference: &Motion<3>, seed: i32) -> Option<f64> {
     // Quasi-random offsets of up to 0.1 m: multiples of irrational numbers, the same at every run.
     let offset = |factor: f64| 0.2 * (f64::from(seed) * factor).fract() - 0.1;

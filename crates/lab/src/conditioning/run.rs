@@ -8,8 +8,8 @@ use slideway_conditioner::path::{
 };
 use slideway_path::ProblemError;
 
-/// How far past the end of the reference a sample still counts as at it, s: half a nanosecond covers the rounding of summed
-/// sampling periods.
+/// Time past the end of the reference up to which a sample still counts as at it, s: half a nanosecond covers the rounding of
+/// summed sampling periods.
 pub const CLOCK_ROUNDING: f64 = 5e-10;
 
 /// Samples after which a run is given up.
@@ -77,7 +77,7 @@ pub fn check_conditioner(problem: &ConditioningProblem, method: PathMethod) -> R
 const SETTLING: f64 = 20.0;
 
 impl ConditioningProblem {
-    /// How long a reference at rest at its end waits for the conditioned point, s: twenty times the slowest approach and the push
+    /// Longest wait of a reference at rest at its end for the conditioned point, s: twenty times the slowest approach and the push
     /// filter's time constant together.
     #[must_use]
     pub fn settling(&self) -> f64 {

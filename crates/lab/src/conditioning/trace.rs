@@ -52,7 +52,7 @@ impl PathMethod {
     /// The form that a verdict is about where nothing else is chosen.
     pub const JUDGED: Self = Self::SlidingMode;
 
-    /// Whether it is one of the conditioner's forms.
+    /// True if it is one of the conditioner's forms.
     #[must_use]
     pub fn is_conditioner(self) -> bool {
         matches!(self, Self::SlidingMode | Self::SlidingModePaper | Self::SlidingModeImplicit)
@@ -65,7 +65,7 @@ impl fmt::Display for PathMethod {
     }
 }
 
-/// What a method did with the reference at one sample.
+/// Action of a method on the reference at one sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// No constraint acted.
@@ -132,11 +132,11 @@ pub struct ConditionedSample {
     pub gradient: [f64; MAX_CONSTRAINTS],
     /// Push `u_1`, m.
     pub push: [f64; 3],
-    /// What the reserve added to the push of the interval that ends here, m.
+    /// Push that the reserve added in the interval that ends here, m.
     pub reserve: [f64; 3],
     /// Walk `f_RW`, m.
     pub walk: [f64; 3],
-    /// What the method did.
+    /// Action of the method.
     pub phase: Phase,
 }
 
@@ -153,7 +153,7 @@ impl ConditionedTrace {
     ///
     /// # Errors
     ///
-    /// What the writer reports.
+    /// Any error of the writer.
     pub fn write_csv(&self, mut out: impl io::Write) -> io::Result<()> {
         let mut columns: Vec<String> = ["t_s", "lambda"].map(str::to_owned).to_vec();
         for name in ["reference", "position", "push", "walk"] {

@@ -26,7 +26,7 @@ pub(crate) struct NaturalLaws<const N: usize> {
     share: f64,
 }
 
-/// What the survey of a path says about both laws.
+/// The fastest speeds of both laws, from the survey of a path.
 struct Fastest {
     /// Natural motion's `b`, with the sign that goes forward.
     b: f64,

@@ -12,7 +12,7 @@ use slideway_robot::{Dynamics, InverseMethod, JointVector, Twist, rotation_vecto
 pub enum Controller<const N: usize> {
     /// Resolved acceleration: `τ = M̂ Inv(J) (ẍ_r + damping ė + stiffness e - J̇ q̇) + ĉ + ĝ` with a model of the arm.
     ResolvedAcceleration {
-        /// What the controller takes the arm for.
+        /// The controller's model of the arm.
         model: Box<Dynamics<N>>,
         /// Gain of the pose error, 1/s².
         stiffness: f64,
@@ -52,7 +52,7 @@ pub struct TrackingError<const N: usize> {
     pub torque: Option<JointVector<N>>,
 }
 
-/// What a controller commands, and the acceleration that comes of it.
+/// Command of a controller, and the acceleration that comes of it.
 struct Command<const N: usize> {
     joint_speed: JointVector<N>,
     joint_acceleration: JointVector<N>,

@@ -6,7 +6,7 @@ use slideway_path::ProblemError;
 use slideway_robot::JointVector;
 use slideway_robot::augmented::PathMotion;
 
-/// What is run: a speed law, its start and stop, and the step of the integration.
+/// Settings of a run: a speed law, its start and stop, and the number of steps of the integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
     /// The speed law.
@@ -33,7 +33,7 @@ pub struct NaturalSample<const N: usize> {
     pub time: f64,
     /// Where the arm is.
     pub place: PathPlace<N>,
-    /// How it moves.
+    /// Speeds and accelerations of the joints and of the path parameter.
     pub motion: PathMotion<N>,
     /// The speed factor `φ`: `det J`, or the part of it that is used.
     pub factor: f64,

@@ -1,7 +1,7 @@
 use nalgebra::SMatrix;
 use slideway_path::ProblemError;
 
-/// What is integrated: `K` joint vectors, the path parameter and a clock.
+/// State of an integration: `K` joint vectors, the path parameter and a clock.
 #[derive(Clone, Copy)]
 pub(super) struct State<const N: usize, const K: usize> {
     pub(super) joints: SMatrix<f64, N, K>,

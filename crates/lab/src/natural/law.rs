@@ -1,7 +1,7 @@
 use slideway_path::{Fault, ProblemError};
 use slideway_robot::augmented::Flow;
 
-/// How fast the path is run.
+/// Law of the speed along the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpeedLaw {
     /// Natural motion: `b` constant, `q̇* = b φ` with the speed factor `φ` (`det J` or a part of it).

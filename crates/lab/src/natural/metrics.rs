@@ -1,6 +1,6 @@
 use super::follow::{NaturalSample, NaturalTrace};
 
-/// What a run comes to.
+/// Summary of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NaturalMetrics {
     /// Length of the path the tool has run, m.

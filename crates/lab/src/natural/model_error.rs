@@ -4,7 +4,7 @@ use nalgebra::SMatrix;
 use slideway_path::ProblemError;
 use slideway_robot::{Dynamics, JointVector, RobotError};
 
-/// How far a controller with a wrong model leaves the tool from where a law has it.
+/// Run under a controller with a wrong model: distances of the tool from where a law has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelErrorRun {
     /// The instants, from the course's start.
@@ -114,7 +114,7 @@ fn speed_at<const N: usize>(interval: &CourseSample, since: f64) -> JointVector<
     vector::<N>(&interval.speed) + vector::<N>(&interval.acceleration) * (since - 0.5 * interval.dt)
 }
 
-/// Whether every interval begins with the joint speed at which the one before ended.
+/// True if every interval begins with the joint speed at which the one before ended.
 fn joins(course: &Course) -> bool {
     let end = |s: &CourseSample, joint: usize, sign: f64| s.speed[joint] + sign * 0.5 * s.dt * s.acceleration[joint];
     let speeds = course.samples.iter().flat_map(|s| (0..course.joints).map(|i| end(s, i, 1.0).abs()));

@@ -55,7 +55,7 @@ struct Column {
     case: &'static str,
     law: SpeedLaw,
     printed: [&'static str; 4],
-    /// Whether each agrees.
+    /// Expected agreement of each printed number.
     expected: [Agreement; 4],
     remark: &'static str,
 }
@@ -152,6 +152,6 @@ pub fn table_1() -> Result<Vec<Published>, ProblemError> {
     Ok(rows)
 }
 
-/// What both tables list.
+/// Quantities that both tables list, with their units.
 pub(super) const QUANTITIES: [(&str, &str); 4] =
     [("distance", "m"), ("peak joint speed", "rad/s"), ("peak torque", "N·m"), ("power", "W")];

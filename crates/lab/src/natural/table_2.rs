@@ -50,7 +50,7 @@ struct Column {
     case: &'static str,
     law: SpeedLaw,
     printed: [&'static str; 4],
-    /// Whether distance and peak joint speed agree.
+    /// Expected agreement of distance and peak joint speed.
     expected: [Agreement; 2],
     /// On both.
     remarks: [&'static str; 2],

@@ -10,7 +10,7 @@ use slideway_conditioner::{AffineSpeed, SpeedCommand};
 use slideway_path::EndRate;
 use slideway_path::{Fault, ProblemError};
 
-/// What a law under acceleration limits sees of the path.
+/// Part of the path that a law under acceleration limits sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sight {
     /// The current sample only.
@@ -74,7 +74,7 @@ impl<const N: usize> AccelerationLaw<N> {
         self.decision(problem, &command, 0.0)
     }
 
-    /// Whether the joints, as commanded last, can stand still with the next sample.
+    /// True if the joints, as commanded last, can stand still with the next sample.
     pub(crate) fn can_stand(&self) -> bool {
         let ends = self.limits.lower().iter().zip(self.limits.upper());
         let speeds = self.state.joint_speed();

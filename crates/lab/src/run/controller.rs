@@ -6,7 +6,7 @@ use slideway_path::PathPoint;
 use slideway_path::{Reference, ToolReference};
 use slideway_robot::{EulerAngles, JointKind, JointVector, Pose, Task, Twist, euler, rotation_vector, solve_rates};
 
-/// What the kinematic controller asks for at one instant, split at the path rate.
+/// Demand of the kinematic controller at one instant, split at the path rate.
 ///
 /// ```text
 /// q̇d = feedback + λ̇ · path_speed

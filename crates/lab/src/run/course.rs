@@ -3,7 +3,7 @@ use crate::joints::MAX_JOINTS;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// What the joints do along a path: one entry between every two samples of a run or nodes of an optimum's profile.
+/// Motion of the joints along a path: one entry between every two samples of a run or nodes of an optimum's profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Course {
     /// Number of joints; entries of the joint arrays beyond it are zero.
@@ -52,7 +52,7 @@ pub struct ProfilePoint {
     pub t: f64,
 }
 
-/// What a run costs the drives once it is under way: a regulated method counts from the moment when it first reaches a limit, so
+/// Cost of a run to the drives once it is under way: a regulated method counts from the moment when it first reaches a limit, so
 /// that its start from rest is not held against it beside those that start at full speed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
@@ -73,7 +73,7 @@ impl Course {
         self.samples.iter().filter(|s| s.t >= self.settled_s)
     }
 
-    /// How long it takes, s.
+    /// Duration, s.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         self.samples.iter().map(|s| s.dt).sum()

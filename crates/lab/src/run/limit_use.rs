@@ -9,7 +9,7 @@ use slideway_robot::JointVector;
 /// The largest use that a run made of one kind of limit while the reference moved.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitUse {
-    /// What is limited.
+    /// Kind of the limit.
     pub kind: LimitKind,
     /// The joint, counted from 0; 0 for the tool.
     pub joint: usize,
@@ -30,7 +30,7 @@ struct Instant<const N: usize> {
 }
 
 impl<const N: usize> Problem<N> {
-    /// What a run used of each kind of limit that the scenario gives, besides the constant joint-speed limits of
+    /// Largest use that a run made of each kind of limit that the scenario gives, besides the constant joint-speed limits of
     /// [`crate::MethodSummary::limit_ratio_peak`]. Commanded speeds count, over the samples in which the reference moves.
     pub(crate) fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
         let following = trace.following();

@@ -7,12 +7,12 @@ pub const ARRIVAL_POSITION: f64 = 1e-4;
 /// The robot has arrived when the reference is at its end and the tool's orientation this near to it, rad.
 pub const ARRIVAL_ORIENTATION: f64 = 1e-3;
 
-/// What one run comes to.
+/// Summary of one run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MethodSummary {
     /// The method.
     pub method: Method,
-    /// Whether the reference reached the path's end.
+    /// True if the reference reached the path's end.
     pub completed: bool,
     /// When the reference reached the path's end, s.
     pub duration_s: Option<f64>,
@@ -47,7 +47,7 @@ pub struct MethodSummary {
 /// Largest change of a desired joint speed over one sample while the reference moves, as a share of the speed limit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Chattering {
-    /// What it was.
+    /// The largest value measured.
     pub measured: f64,
     /// The largest value of the rigorous bound.
     pub bound: f64,

@@ -63,10 +63,10 @@ pub struct Sample {
 /// Change of the desired joint speed over one sample as a share of the speed limit, largest over the joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chatter {
-    /// What it was.
+    /// The value measured.
     pub measured: f64,
-    /// What it can be at most, to rounding: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`), with the capped factor in place
-    /// of `f` where the tool's speed limit caps the path rate.
+    /// The largest value possible, to rounding: `|B_i| |Δf| + f |ΔB_i| + |ΔA_i|` (claim `chattering-band`), with the capped factor in
+    /// place of `f` where the tool's speed limit caps the path rate.
     pub bound: f64,
     /// The paper's estimate `|v_i| a λ̇d`, `[G11] eq 23`.
     pub estimate: f64,
@@ -91,7 +91,7 @@ impl Trace {
     ///
     /// # Errors
     ///
-    /// What the writer reports.
+    /// Any error of the writer.
     pub fn write_csv(&self, mut out: impl io::Write) -> io::Result<()> {
         writeln!(out, "{}", self.header())?;
         let mut line = String::new();

@@ -6,11 +6,11 @@ use std::collections::VecDeque;
 #[derive(Clone, Debug)]
 pub(crate) struct World<const N: usize> {
     noise: f64,
-    /// What the controller takes joints to be beyond where they are, rad (m); `None` for nothing.
+    /// Measured joint positions less the true ones, rad (m), without noise; `None` for no difference.
     offset: Option<JointVector<N>>,
     delay: usize,
     jitter: f64,
-    /// What the drives make of one rad/s, one m/s.
+    /// Real joint speed per commanded one: 1 for a drive without error.
     gain: JointVector<N>,
     measurements: VecDeque<JointVector<N>>,
     measuring: Uniform,
@@ -32,7 +32,7 @@ impl<const N: usize> World<N> {
         }
     }
 
-    /// What the controller sees of a robot that stands at `q` now; `None` if that is the truth. Call it once a sample.
+    /// Joint positions as the controller sees them of a robot that stands at `q` now; `None` if it sees `q`. Call it once a sample.
     pub(crate) fn measure(&mut self, q: &JointVector<N>) -> Option<JointVector<N>> {
         if self.noise == 0.0 && self.delay == 0 && self.offset.is_none() {
             return None;
@@ -51,7 +51,7 @@ impl<const N: usize> World<N> {
         commanded.component_mul(&self.gain)
     }
 
-    /// How long the coming period really lasts, s. Call it once a sample.
+    /// Real length of the coming period, s. Call it once a sample.
     pub(crate) fn period(&mut self, nominal: f64) -> f64 {
         if self.jitter == 0.0 { nominal } else { nominal * (1.0 + self.jitter * self.clock.next()) }
     }

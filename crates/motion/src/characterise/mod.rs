@@ -1,4 +1,4 @@
-//! What a controller can do, by experiment: gain over frequency, bandwidth, tracking error, reach of the torques.
+//! Experiments on a controller: gain over frequency, bandwidth, tracking error, reach of the torques.
 
 mod bandwidth;
 mod frequency;

@@ -29,7 +29,7 @@ pub struct PidSettings {
     pub sampling_period: f64,
 }
 
-/// What a [`Pid`] remembers.
+/// State of a [`Pid`] from one sample to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PidState {
     integral: f64,

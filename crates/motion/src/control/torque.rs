@@ -3,7 +3,7 @@ use super::{Pid, PidState, TorqueOutput};
 use crate::{JointState, MotionError};
 use slideway_robot::{Dynamics, JointVector};
 
-/// How feedback and the arm's model make a torque. `u` is the joints' PID output for the error of position.
+/// Law that makes a torque of feedback and the arm's model. `u` is the joints' PID output for the error of position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TorqueLaw {
     /// `τ = u`; the gains are torques per error.

@@ -55,13 +55,13 @@ impl WristSensor {
         Ok(Self { load, gravity })
     }
 
-    /// What touches the tool, from what is sensed.
+    /// External wrench on the tool, from the sensed one.
     #[must_use]
     pub fn external(&self, sensed: &Twist, motion: &SensorMotion) -> Twist {
         turned(sensed, &motion.pose) - self.own(motion)
     }
 
-    /// What is sensed, for a simulation.
+    /// Sensed wrench, from the external one; for a simulation.
     #[must_use]
     pub fn sensed(&self, external: &Twist, motion: &SensorMotion) -> Twist {
         // [R16] eq 3

@@ -10,7 +10,7 @@ pub struct Delay {
     samples: usize,
 }
 
-/// What a [`Delay`] remembers.
+/// Values on their way through a [`Delay`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DelayLine<T> {
     ring: [T; LONGEST_DELAY],

@@ -2,7 +2,7 @@ use super::{Delay, DelayLine, Winding};
 use crate::MotionError;
 use crate::error::{not_negative, positive, setting};
 
-/// What a motor is told.
+/// Command to a motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotorCommand {
     /// A torque at the joint, N·m (N).
@@ -34,7 +34,7 @@ pub struct MotorSettings {
     pub sampling_period: f64,
 }
 
-/// What a [`Motor`] remembers.
+/// State of a [`Motor`] from one sample to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotorState {
     current: f64,
@@ -68,7 +68,7 @@ impl MotorState {
 pub struct MotorOutput {
     /// Torque at the joint, N·m (N).
     pub torque: f64,
-    /// Whether the current was cut, by the amplifier or by the heat.
+    /// True if the current was cut, by the amplifier or by the heat.
     pub cut: bool,
 }
 

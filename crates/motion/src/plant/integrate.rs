@@ -4,7 +4,7 @@ use crate::MotionError;
 use crate::error::positive;
 use slideway_robot::DynamicsError;
 
-/// How a sample was resolved.
+/// Steps that a sample took, and their estimated error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resolution {
     /// Steps tried, refused ones included.

@@ -31,7 +31,7 @@ use crate::error::{positive, setting};
 use friction::smoothed;
 use slideway_robot::{DriveEffects, Dynamics, JointVector, Twist};
 
-/// How finely a [`Plant`] is simulated.
+/// Settings of the simulation of a [`Plant`]: steps, tolerance, smoothing of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlantSettings {
     /// Fewest steps of a sample.
@@ -116,7 +116,7 @@ impl<const N: usize> Plant<N> {
         JointVector::from_fn(|i, _| smoothed(&drives[i].friction, qd[i], self.settings.friction_speed))
     }
 
-    /// What the wall exerts on the tool: a force through the tool's origin, base frame, N. The moment is zero.
+    /// Wrench of the wall on the tool: a force through the tool's origin, base frame, N. The moment is zero.
     #[must_use]
     pub fn contact(&self, q: &JointVector<N>, qd: &JointVector<N>) -> Twist {
         let Some(wall) = &self.wall else { return Twist::zeros() };
@@ -134,7 +134,7 @@ impl<const N: usize> Plant<N> {
             + self.wall.map_or(0.0, |wall| wall.energy(&tip))
     }
 
-    /// What is left of `energy - work done + energy lost`, less its value at another instant, J: zero but for the error of
+    /// Remainder of `energy - work done + energy lost`, less its value at another instant, J: zero but for the error of
     /// the integration.
     #[must_use]
     pub fn imbalance(&self, from: &PlantState<N>, to: &PlantState<N>) -> f64 {

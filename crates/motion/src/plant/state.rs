@@ -1,6 +1,6 @@
 use slideway_robot::{JointVector, Twist};
 
-/// What acts on an arm besides its weight and the wall.
+/// Torques and forces that act on an arm besides its weight and the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Actuation<const N: usize> {
     /// Torques of the motors at the joints, N·m (N).

@@ -39,7 +39,7 @@ impl Hermite {
         Cubics::from(start).then_with(duration, first, (last - first) / duration)
     }
 
-    /// Whether the cubic of that duration keeps the limits.
+    /// True if the cubic of that duration keeps the limits.
     fn fits(&self, duration: f64, limits: &AxisLimits) -> bool {
         if !(duration > 0.0) {
             return self.start == self.goal && self.start_velocity == self.goal_velocity;

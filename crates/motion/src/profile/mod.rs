@@ -23,7 +23,7 @@ use crate::{AxisState, Range};
 /// Phases that a profile can have: seven of a jerk-limited motion, two before it and two after it.
 pub const MAX_PHASES: usize = 11;
 
-/// What bounds a change of speed.
+/// Bound on a change of speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ramp {
     /// The acceleration alone, which may jump: continuity C¹.
@@ -32,7 +32,7 @@ pub enum Ramp {
     JerkLimited,
 }
 
-/// What holds over a span of a motion.
+/// Ranges of position, velocity, acceleration and jerk over a span of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Positions covered, rad or m.

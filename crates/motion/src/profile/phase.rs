@@ -3,7 +3,7 @@ use crate::AxisState;
 /// A stretch of constant jerk.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Phase {
-    /// How long it lasts, s.
+    /// Duration, s.
     pub duration: f64,
     /// State at its beginning.
     pub start: AxisState,

@@ -14,7 +14,7 @@ pub(super) const EQUAL: f64 = 1e-9;
 const ROUNDING: f64 = 1e-9;
 
 impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
-    /// Whether all limits hold under a law of the pace, from now to its end.
+    /// True if all limits hold under a law of the pace, from now to its end.
     pub(super) fn keeps_limits(&self, rate: &Rate) -> bool {
         rate.spans().all(|pace| self.keeps_limits_over(&pace))
     }
@@ -106,7 +106,7 @@ pub(super) fn check_joint<const N: usize>(
     Ok(())
 }
 
-/// How a motion ends.
+/// Kind of a motion's end.
 pub(super) fn end_of<const N: usize>(motion: &JointMotion<N>, ramp: Option<Ramp>) -> EndOf {
     let still = check_joint(&motion.end(), &JointState::at_rest(motion.end().q), ramp).is_ok();
     if still { EndOf::Standstill } else { EndOf::PassThrough }

@@ -16,7 +16,7 @@ use segment::{EndOf, Motion, Segment};
 use slideway_robot::JointVector;
 use std::collections::VecDeque;
 
-/// What happens at the end of a queue.
+/// Behaviour at the end of a queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Repeat {
     /// The joints rest there; segments in the past are discarded.
@@ -25,7 +25,7 @@ pub enum Repeat {
     Forever,
 }
 
-/// What the queue is doing.
+/// State of a queue's playback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
     /// Nothing is queued: the joints rest.
@@ -143,7 +143,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         Ok(state)
     }
 
-    /// What the queue is doing.
+    /// State of the playback.
     #[must_use]
     pub fn progress(&self) -> Progress {
         if self.segments.is_empty() {
@@ -180,7 +180,7 @@ impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {
         self.segments.len()
     }
 
-    /// Whether nothing is queued.
+    /// True if nothing is queued.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.segments.is_empty()

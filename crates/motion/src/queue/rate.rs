@@ -17,7 +17,7 @@ pub(super) struct Rate {
     pub(super) wanted: f64,
 }
 
-/// What a law does over a span of time.
+/// Ranges of path time, pace and the pace's derivatives over a span of a law.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
     /// Path time covered since now, s.
@@ -51,12 +51,12 @@ impl Rate {
         self.law.at(self.clock)
     }
 
-    /// Whether the pace is constant from now on, under the law in force.
+    /// True if the pace is constant from now on, under the law in force.
     pub(super) fn is_settled(&self) -> bool {
         self.clock >= self.law.duration()
     }
 
-    /// Whether a new law has to be found.
+    /// True if a new law has to be found.
     pub(super) fn is_pending(&self) -> bool {
         self.wanted != self.settled
     }

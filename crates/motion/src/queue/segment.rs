@@ -4,7 +4,7 @@ use crate::tool::{RegulatedMotion, ToolKinematics, ToolMotion};
 use crate::{AxisLimits, Interpolation, JointMotion, JointState, MotionError, Range};
 use slideway_robot::JointVector;
 
-/// What moves.
+/// Motion of the joints or of the tool.
 #[derive(Clone, Copy, Debug)]
 // Boxing the larger variant would allocate in the control loop.
 #[allow(clippy::large_enum_variant)]
@@ -18,7 +18,7 @@ pub(super) enum Motion<const N: usize> {
 }
 
 impl<const N: usize> Motion<N> {
-    /// Whether the motion runs on path time; else it runs by itself.
+    /// True if the motion runs on path time; else it runs by itself.
     pub(super) fn runs_on_path_time(&self) -> bool {
         match self {
             Self::Joint(_) | Self::Tool(_) => true,
@@ -55,17 +55,17 @@ impl<const N: usize> Motion<N> {
 /// A stretch of the queue.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<const N: usize> {
-    /// What it does.
+    /// Motion of the joints or of the tool.
     pub(super) motion: Motion<N>,
-    /// What may bound changes of its pace: `None` where the speed itself jumps.
+    /// Bound on changes of its pace: `None` where the speed itself jumps.
     pub(super) ramp: Option<Ramp>,
-    /// How it ends.
+    /// Kind of its end.
     pub(super) end: EndOf,
     /// The Go-To it came from, if it did.
     pub(super) go_to: Option<Interpolation>,
 }
 
-/// Whether a motion may stop at the end of a segment.
+/// Kind of a segment's end: a motion may stop there, or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EndOf {
     /// A way-point at rest.
@@ -99,7 +99,7 @@ impl<const N: usize> Segment<N> {
         Ok(JointState { q, qd: qd * rate, qdd: qdd * (rate * rate) + qd * slope })
     }
 
-    /// Whether the limits hold while the segment's time covers `[from, to]` at the given pace:
+    /// True if the limits hold while the segment's time covers `[from, to]` at the given pace:
     ///
     /// ```text
     /// |r² Q'' + w Q'| <= A,   |r³ Q''' + 3 r w Q'' + x Q'| <= J

@@ -5,7 +5,7 @@ use crate::profile::Ramp;
 use crate::tool::{RegulatedMotion, SpeedLaw, ToolCurve, ToolLimits, ToolLine, ToolMotion};
 use slideway_robot::{Pose, rotation_vector};
 
-/// How far a curve may begin from the tool, m and rad: what counts as equal in the queue.
+/// Largest distance of a curve's beginning from the tool, m and rad: the one that counts as equal in the queue.
 const AT_START: f64 = super::check::EQUAL;
 
 impl<const N: usize, const CAPACITY: usize> MotionQueue<N, CAPACITY> {

@@ -1,4 +1,4 @@
-/// What went wrong.
+/// Fault that makes the controller brake and wait to be reset or recovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fault {
     /// Somebody pressed the button.
@@ -65,7 +65,7 @@ impl Mode {
         plain.into_iter().chain(faulty)
     }
 
-    /// Whether the joints rest in this mode.
+    /// True if the joints rest in this mode.
     #[must_use]
     pub fn is_at_rest(self) -> bool {
         match self {
@@ -77,7 +77,7 @@ impl Mode {
     }
 }
 
-/// What kind of segment is at the head of the queue.
+/// Kind of the segment at the head of the queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SegmentKind {
     /// Joints by their profiles.
@@ -86,7 +86,7 @@ pub enum SegmentKind {
     Tool,
 }
 
-/// What the supervisor sees of the queue.
+/// State of the queue as the supervisor sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum QueueState {
     /// Empty, joints at rest.
@@ -97,7 +97,7 @@ pub enum QueueState {
     Paused(SegmentKind),
 }
 
-/// What is raised from outside in a sample; any combination may be.
+/// Inputs from outside in a sample; any combination may be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Inputs {
     /// A fault that is present.

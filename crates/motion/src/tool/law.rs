@@ -2,7 +2,7 @@ use super::ToolCurve;
 use crate::profile::Ramp;
 use crate::{AxisLimits, MotionError};
 
-/// How fast a Cartesian segment is followed.
+/// Law of the speed at which a Cartesian segment is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SpeedLaw {
     /// A profile from rest to rest, laid down before the motion; see [`super::ToolMotion`].
@@ -13,14 +13,14 @@ pub enum SpeedLaw {
     Natural(Regulation),
 }
 
-/// What the tool may do at most.
+/// Largest speed, acceleration and jerk of the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ToolLimits {
     /// Speed (m/s), acceleration and jerk of the tool's origin along its path.
     pub linear: AxisLimits,
     /// Speed (rad/s), acceleration and jerk of the turn.
     pub angular: AxisLimits,
-    /// Whether the jerk limit counts.
+    /// Bound on changes of speed: the jerk limits count with [`Ramp::JerkLimited`] only.
     pub ramp: Ramp,
 }
 

@@ -81,7 +81,7 @@ impl<const N: usize> ToolMotion<N> {
         Ok(())
     }
 
-    /// How much slower the law has to be for the joints to keep their limits.
+    /// Factor by which the law has to be slower for the joints to keep their limits, at least 1.
     fn needed_stretch(&self, limits: &MotionLimits<N>) -> f64 {
         let mut stretch = 1.0_f64;
         for (speed, acceleration) in &self.bounds {
@@ -139,7 +139,7 @@ impl<const N: usize> ToolMotion<N> {
         &self.law
     }
 
-    /// What the law keeps.
+    /// Bound on changes of speed that the law keeps.
     #[must_use]
     pub fn ramp(&self) -> Ramp {
         self.ramp

@@ -4,10 +4,10 @@ use crate::MotionError;
 use slideway_robot::JointVector;
 use slideway_robot::augmented::{PathTangent, SingularityConsistent, SpeedFactor};
 
-/// What else bounds the rate of a curve, besides the joints' limits.
+/// Bound on the rate of a curve besides the joints' limits.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Ceiling {
-    /// Nothing: the limits alone.
+    /// None: the limits alone.
     Limits,
     /// Natural motion.
     Natural(NaturalPace),

@@ -33,7 +33,7 @@ pub struct RegulatedMotion<const N: usize> {
     state: PathState<N>,
 }
 
-/// What some time brings.
+/// State of a motion some time later.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Advanced<const N: usize> {
     /// On the way.
@@ -148,7 +148,7 @@ impl<const N: usize> RegulatedMotion<N> {
         Ok(time)
     }
 
-    /// What `dt` seconds bring at a pace; the motion itself stays where it is until it is told to [take](Self::take) the state.
+    /// State after `dt` seconds at a pace; the motion itself stays where it is until it is told to [take](Self::take) the state.
     ///
     /// # Errors
     ///
@@ -242,7 +242,7 @@ impl<const N: usize> RegulatedMotion<N> {
         self.state = PathState::at_rest(self.start);
     }
 
-    /// Whether it stands still, and will unless its pace changes.
+    /// True if it stands still, and will unless its pace changes.
     #[must_use]
     pub fn is_resting(&self) -> bool {
         self.state.is_resting()
@@ -266,7 +266,7 @@ impl<const N: usize> RegulatedMotion<N> {
         &self.end
     }
 
-    /// What the whole motion takes at full pace, s, as rehearsed: whole periods.
+    /// Duration of the whole motion at full pace, s, as rehearsed: whole periods.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.duration

@@ -17,7 +17,7 @@ pub(super) const ROOM: f64 = 0.01;
 /// the jerk.
 const SPEED_ROOM: f64 = 1e-3;
 
-/// How much faster the target rate is than the fastest that the speed limits allow anywhere.
+/// Ratio of the target rate to the fastest that the speed limits allow anywhere.
 const OVERSPEED: f64 = 2.0;
 
 /// Rounds in which a sample's place and rate are found.
@@ -37,7 +37,7 @@ pub(super) struct Regulator<const N: usize> {
     accelerations: [f64; N],
     target_rate: f64,
     ceiling: Ceiling,
-    /// How far before the end the plan ahead ends, and the largest rate of the last sample in motion: see [`Regulator::new`].
+    /// Distance before the end at which the plan ahead ends, and the largest rate of the last sample in motion: see [`Regulator::new`].
     reserve: f64,
     last_rate: f64,
     /// `q'(u)` at the nodes.
@@ -76,7 +76,7 @@ impl<const N: usize> PathState<N> {
         self.rate == 0.0 && self.next == 0.0 && self.slope == 0.0
     }
 
-    /// Whether the curve is at its end, at rest.
+    /// True if the curve is at its end, at rest.
     pub(super) fn has_arrived(&self) -> bool {
         self.left == 0.0 && self.rate == 0.0 && 1.0 - self.place <= 2.0 * ARRIVED
     }
@@ -200,7 +200,7 @@ impl<const N: usize> Regulator<N> {
         self.look_ahead.greatest_rate_within(&preview, ranges)
     }
 
-    /// Whether a demand is as good as commanded: off by no more than what was kept in reserve.
+    /// Checks that a demand is as good as commanded: off by no more than what was kept in reserve.
     fn check(&self, demand: &[f64; N], command: &[f64; N], before: &[f64; N]) -> Result<(), ToolFault> {
         for joint in 0..N {
             let limit = self.accelerations[joint] / (1.0 - ROOM);

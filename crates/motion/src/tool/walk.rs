@@ -5,7 +5,7 @@ use slideway_robot::JointVector;
 /// Intervals between the nodes of a curve.
 pub(super) const INTERVALS: usize = 256;
 
-/// What is found at each node of a curve: joint position `q`, and as velocity and acceleration `q'(u)` and `q''(u)`.
+/// Joint states at the nodes of a curve: joint position `q`, and as velocity and acceleration `q'(u)` and `q''(u)`.
 pub(super) type Nodes<const N: usize> = [JointState<N>; INTERVALS + 1];
 
 /// `u` at a node.

@@ -1,4 +1,4 @@
-//! What the supervisor can be told.
+//! Inputs that the supervisor can be given.
 
 use slideway_motion::supervisor::{Fault, Inputs};
 

@@ -1,7 +1,7 @@
 use crate::{Jacobian, RobotError, Task};
 use nalgebra::Matrix3;
 
-/// What the speed along the path is proportional to, at constant `b`.
+/// Factor of the speed along the path, which is this factor times `b`.
 ///
 /// The null vector may be divided by any function of the configuration that has no zero on the path: what is left of
 /// `det J` is the factor of the speed.
@@ -51,7 +51,7 @@ impl SpeedFactor {
         }
     }
 
-    /// What the null vector is divided by, from a Jacobian and its rate.
+    /// Divisor of the null vector and the divisor's rate, from a Jacobian and its rate.
     pub(super) fn divisor<const N: usize>(self, jacobian: &Jacobian<N>, rate: &Jacobian<N>) -> Divisor {
         let Self::Arm { scale } = self else {
             return Divisor { value: 1.0, rate: 0.0 };

@@ -40,7 +40,7 @@ impl<const N: usize> JointMetric<N> {
 /// finite. For a square `J` it is `n̄` with the sign of `det J` taken off, whatever the metric up to the factor
 /// `sqrt(det W⁻¹)`.
 ///
-/// What is lost: `s` has no sign and a kink at a singularity, where the direction out of it is not unique (it may be any
+/// The price: `s` has no sign and a kink at a singularity, where the direction out of it is not unique (it may be any
 /// self-motion). Exactly there that component is zero and the arm stands, so it does not pass through as a square one does.
 /// NaN if the arm has fewer joints than the task has coordinates, or an entry is not finite.
 #[must_use]

@@ -1,6 +1,6 @@
 use crate::DriveFault;
 
-/// What a joint's motor and gear add to the rigid body, seen from the joint.
+/// Rotor inertia and friction that a joint's motor and gear add to the rigid body, seen from the joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drive {
     /// Rotor inertia times the gear ratio squared, `G² Jm`, kg m² (kg for a prismatic joint).
@@ -71,7 +71,7 @@ impl Drive {
     }
 }
 
-/// What of the drives takes part in the dynamics; by default nothing.
+/// Parts of the drives that count in the dynamics; by default none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DriveEffects {
     /// Adds the reflected rotor inertia to the diagonal of the mass matrix.

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// What can go wrong with a robot's dynamics.
+/// Error in a robot's masses or drives.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DynamicsError {
@@ -9,7 +9,7 @@ pub enum DynamicsError {
     Link {
         /// Link, counted from 0.
         link: usize,
-        /// What is wrong.
+        /// The link's fault.
         fault: BodyFault,
     },
     /// A drive that no machine has.
@@ -17,7 +17,7 @@ pub enum DynamicsError {
     Drive {
         /// Joint, counted from 0.
         joint: usize,
-        /// What is wrong.
+        /// The drive's fault.
         fault: DriveFault,
     },
     /// Another number of links behind followers than followers.
@@ -57,6 +57,6 @@ pub enum BodyFault {
 pub struct DriveFault {
     /// Name of the parameter.
     pub name: &'static str,
-    /// What was given.
+    /// Value given.
     pub value: f64,
 }

@@ -37,7 +37,7 @@ impl LinkInertia {
         Self { mass, com, inertia: about(self) + about(other) }
     }
 
-    /// Whether there is anything to accelerate.
+    /// True if there is nothing to accelerate: neither mass nor inertia.
     #[must_use]
     pub fn is_massless(&self) -> bool {
         self.mass == 0.0 && self.inertia.iter().all(|&x| x == 0.0)

@@ -81,7 +81,7 @@ impl Srdf {
 /// Groups that a walk through subgroups has come by.
 #[derive(Default)]
 struct Walk<'a> {
-    /// Those that the walk is inside of.
+    /// Groups that the walk is inside of.
     open: Vec<&'a str>,
     /// All of them: a group that several others contain counts once.
     seen: BTreeSet<&'a str>,

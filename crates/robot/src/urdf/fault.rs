@@ -82,7 +82,7 @@ pub enum UrdfFault {
         key: &'static str,
         /// Its value.
         value: String,
-        /// How many numbers there must be.
+        /// Count of numbers that the value must hold.
         expected: usize,
     },
     /// A link or joint name used twice.

@@ -160,7 +160,7 @@ impl Joint {
         owner("joint", &self.name, &self.element)
     }
 
-    /// Whether the joint moves.
+    /// True if the joint moves.
     pub(crate) fn moves(&self) -> bool {
         self.kind != JointType::Fixed
     }

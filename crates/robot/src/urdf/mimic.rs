@@ -13,8 +13,8 @@ pub(super) struct Mimicry<'a> {
     pub(super) offset: f64,
 }
 
-/// What a joint mimics, by way of other followers too; `None` if it moves on its own. Any element will do as a mimicked
-/// joint, a fixed one stands at zero.
+/// The leader that a joint mimics, by way of other followers too, with ratio and offset; `None` if it moves on its own. Any
+/// element will do as a mimicked joint, a fixed one stands at zero.
 pub(super) fn mimicry<'a>(tree: &Tree<'a>, joint: &'a Joint) -> Result<Option<Mimicry<'a>>, UrdfError> {
     let mut found = Mimicry { leader: joint, ratio: 1.0, offset: 0.0 };
     let mut steps = 0;

@@ -121,7 +121,7 @@ impl<'a> Tree<'a> {
         Ok(chain)
     }
 
-    /// Whether anything beyond each link moves.
+    /// For each link, true if anything beyond it moves.
     pub(crate) fn moving(&self) -> HashMap<&'a str, bool> {
         let mut moving: HashMap<&str, bool> = self.links.keys().map(|&l| (l, false)).collect();
         for &link in self.links.keys() {

@@ -87,7 +87,7 @@ impl Owner<'_> {
 /// Shortest vector that has a direction: a unit vector typed with a few digits is far from it.
 pub(super) const SHORTEST: f64 = 1e-6;
 
-/// Whether a value is an expression that xacro has yet to evaluate.
+/// True if a value is an expression that xacro has yet to evaluate.
 pub(super) fn is_expression(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }

@@ -14,7 +14,7 @@ use quick_xml::events::{BytesStart, Event};
 use std::ops::Range;
 
 /// Reads the root and those elements below it for which `wanted(depth, name)` holds, children of the root having depth 1.
-/// What is inside an unwanted element is checked for matching tags and nothing else, however deep it goes.
+/// The inside of an unwanted element is checked for matching tags and nothing else, however deep it goes.
 pub(crate) fn read(text: &str, wanted: fn(usize, &str) -> bool) -> Result<Element, XmlFault> {
     let mut reader = Reader::from_str(text);
     // A loose `&` can stand in a description that no one reads.

@@ -89,7 +89,7 @@ fn rate_of_phi(conditioner: &PathConditioner<3, 2>, motion: impl Fn(f64) -> Moti
     core::array::from_fn(|i| (after[i] - before[i]) / (2.0 * h))
 }
 
-/// What the central difference may be wrong by: a sixth of h² times the third derivative of `φ`, which is below
+/// Largest error of the central difference: a sixth of h² times the third derivative of `φ`, which is below
 /// 1e4 per s³ for the motions here. Its rounding, 1e-16 / h, is far less.
 const DIFFERENCE: f64 = 2e-5;
 
@@ -155,7 +155,7 @@ fn cage(motion: &Motion<2>) -> [ConstraintSample<2>; 1] {
     [Ball::new([0.0; 2], RADIUS, Side::Inside).expect("a radius").sample(motion)]
 }
 
-/// What is left of a walk at the rim of the cage that already has this speed; no push, the reference rests.
+/// A wanted walk after it is shortened at the rim of the cage, reached at this speed; no push, the reference rests.
 fn shortened(speed: [f64; 2], wanted: [f64; 2]) -> [f64; 2] {
     let conditioner = conditioner([APPROACH]);
     let mut state = conditioner.on_reference();

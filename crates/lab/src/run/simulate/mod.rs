@@ -35,11 +35,11 @@ pub(crate) fn simulate<const N: usize>(
 
 /// One instant as it is and as the controller sees it.
 struct Observed<const N: usize> {
-    /// What the controller makes of what it sees.
+    /// The controller's demand for the joint positions that it sees.
     demand: Demand<N>,
-    /// What it would make of the truth.
+    /// Its demand if it saw the true ones.
     truth: Demand<N>,
-    /// What it sees less what is, where it does not see the truth.
+    /// Joint positions seen less the true ones, rad (m); `None` where it sees the true ones.
     offset: Option<JointVector<N>>,
 }
 
@@ -51,7 +51,7 @@ struct Run<'a, const N: usize> {
     period: f64,
     /// When to give up, s.
     horizon: f64,
-    /// What the sample before really lasted, s.
+    /// Real length of the sample before, s.
     elapsed: f64,
     /// By how much the clock is ahead of the counted samples, s.
     drift: f64,

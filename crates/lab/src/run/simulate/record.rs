@@ -1,4 +1,4 @@
-//! What a sample leaves in the trace.
+//! Record of a sample in the trace.
 
 use super::{Observed, Run};
 use crate::joints::{MAX_JOINTS, pad};

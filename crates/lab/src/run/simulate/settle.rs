@@ -74,7 +74,7 @@ impl<const N: usize> Run<'_, N> {
         self.stands(&decision.command.joint_speed)
     }
 
-    /// Whether the joints have stood for longer than measurements are late, so that the controller has seen them stand. NaN moves.
+    /// True if the joints have stood for longer than measurements are late, so that the controller has seen them stand. NaN moves.
     fn stands(&mut self, commanded: &[f64; N]) -> bool {
         let left = self.horizon - self.t();
         let stand = commanded.iter().all(|speed| speed.abs() * left < STANDS);

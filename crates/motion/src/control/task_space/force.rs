@@ -4,7 +4,7 @@ use crate::error::{not_negative, positive};
 use nalgebra::{Unit, Vector3};
 use slideway_robot::Twist;
 
-/// What a [`ForceControl`] remembers.
+/// State of a [`ForceControl`] from one sample to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForceState {
     feedback: PidState,

@@ -22,7 +22,7 @@ pub struct OperationalOutput<const N: usize> {
     pub torque: JointVector<N>,
     /// Joints whose torque was cut.
     pub cut: [bool; N],
-    /// What the tool's acceleration will miss of the one asked for, by the model and before torques are cut, m/s² and rad/s².
+    /// Acceleration of the tool asked for less the one it will have, by the model and before torques are cut, m/s² and rad/s².
     pub shortfall: Twist,
 }
 

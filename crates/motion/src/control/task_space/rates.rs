@@ -3,7 +3,7 @@ use crate::MotionError;
 use crate::error::setting;
 use slideway_robot::{InverseMethod, JointVector, SerialArm, Task, solve_rates};
 
-/// How a twist of the tool becomes joint speeds.
+/// Law that turns a twist of the tool into joint speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RateLaw {
     /// `q̇ = J⁺ (ẋd + K e)`: the error dies out as `ė = -K e` where the inverse is exact.
