@@ -34,9 +34,9 @@ fn optimum(text: &str) -> TimeOptimum {
     optimum
 }
 
-/// What the grid costs on a trapezoid: within an interval `b` is linear, so stretches of constant acceleration are exact and only
-/// the interval with a corner is off, by less than `a Δs² / v³` in time: 4 · (1/400)² / 0.5³ = 2e-4 s of 2.2 s at the hardest corner
-/// here, as a share 1e-4.
+/// Error of the grid on a trapezoid: within an interval `b` is linear, so stretches of constant acceleration are exact and only the
+/// interval with a corner is off, by less than `a Δs² / v³` in time: 4 · (1/400)² / 0.5³ = 2e-4 s of 2.2 s at the hardest corner here, as a
+/// share 1e-4.
 const GRID: f64 = 1e-4;
 
 #[test]

@@ -72,8 +72,7 @@ fn on_the_limbs_circle_natural_motion_lies_between_constant_speed_and_the_slidin
     }
 }
 
-/// What is faster gives a wrong model more to miss; in equal time natural motion gives it least, as in `[N] Fig. 3`, and
-/// constant speed most.
+/// Faster laws miss more under a wrong model; in equal time natural motion misses least, as in `[N] Fig. 3`, and constant speed most.
 fn assert_model_errors(summary: &Value) {
     let of = |law: &str, key: &str| {
         let entries = summary["model_error"].as_array().expect("errors");

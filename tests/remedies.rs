@@ -43,7 +43,7 @@ target_rate = 2
 /// A part of a text, what stands there instead, what is said of it and what to do, and the same done.
 type Case<'a> = (&'a str, &'a str, &'a str, &'a str, &'a str);
 
-/// Why a text cannot be used, short of running it.
+/// Reason why a text cannot be used, short of running it.
 fn refused(text: &str, folder: &Path) -> Option<ScenarioError> {
     let scenario = AnyScenario::parse("mine", text).map(|s| s.in_folder_of(&folder.join("mine.toml")));
     match scenario {
@@ -279,7 +279,7 @@ fn remedies_for_files_of_way_points_remove_the_error() {
     assert!(refused(&text, folder.path()).is_none());
 }
 
-/// What the command prints of a failure, its lines joined.
+/// Text that the command prints of a failure, its lines joined.
 fn printed(folder: &Path, arguments: &[&str]) -> String {
     let output = slideway(folder, arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");

@@ -1,4 +1,4 @@
-//! What the verdict of `compare` says is so.
+//! Verdicts of `compare` say what is so.
 
 mod support;
 
@@ -57,7 +57,7 @@ fn compare(scenario: &str) -> Said {
     said
 }
 
-/// What is said of a scenario that cannot be compared.
+/// Message about a scenario that cannot be compared.
 fn refused(scenario: &str) -> String {
     let folder = tempfile::tempdir().expect("folder");
     std::fs::write(folder.path().join("mine.toml"), scenario).expect("written");

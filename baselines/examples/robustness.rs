@@ -1,4 +1,4 @@
-//! How often the structured solver's answer is certified on random programs with every kind of row, and what it took:
+//! Counts of random programs with every kind of row that the structured solver certifies, and the steps that it takes:
 //!
 //! ```text
 //! cargo run --release -p slideway-baselines --example robustness -- COUNT INTERVALS [FIRST]

@@ -5,7 +5,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// What drawing with a backend gives.
+/// Result of drawing with a backend.
 pub(crate) type Drawn<DB, T = ()> = Result<T, DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
 /// A part of a drawing with its scale: all lengths are given in design units, [`WIDTH`] of them across the figure.
@@ -84,7 +84,7 @@ impl<DB: DrawingBackend> Canvas<DB> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Header {
     pub(crate) heading: String,
-    /// What the figure shows, in numbers.
+    /// Findings of the figure, in numbers.
     pub(crate) message: String,
     pub(crate) legend: Vec<Entry>,
 }

@@ -12,12 +12,12 @@ use plotters::backend::DrawingBackend;
 use std::ops::Range;
 use std::path::Path;
 
-/// What a chart shows.
+/// A chart: its heading, its sentence and its panels.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// Heading.
     pub title: &'a str,
-    /// What it shows, in a sentence or two.
+    /// Findings, in a sentence or two.
     pub message: &'a str,
     /// From top to bottom, one or more.
     pub panels: Vec<ChartPanel<'a>>,
@@ -26,7 +26,7 @@ pub struct Chart<'a> {
 /// Axes with curves in them.
 #[derive(Clone, Debug)]
 pub struct ChartPanel<'a> {
-    /// What it shows.
+    /// Heading: the quantities that it shows.
     pub title: &'a str,
     /// Label of the horizontal axis.
     pub x: &'a str,
@@ -40,7 +40,7 @@ pub struct ChartPanel<'a> {
     pub levels: Vec<(&'a str, f64)>,
 }
 
-/// How the axes of a panel are scaled.
+/// Scaling of a panel's axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartScales {
     /// Each fills its side.
@@ -54,18 +54,18 @@ pub enum ChartScales {
 pub struct ChartCurve<'a> {
     /// Its name in the legend.
     pub name: &'a str,
-    /// What it stands for.
+    /// Role: reference or result.
     pub role: ChartRole,
     /// Its points; values that are not numbers make gaps.
     pub points: &'a [[f64; 2]],
 }
 
-/// What a curve stands for; the same for all curves of a name.
+/// Role of a curve; the same for all curves of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartRole {
-    /// What is to be followed: broad and pale.
+    /// A course to be followed: broad and pale.
     Reference,
-    /// What was done.
+    /// A course that came about.
     Result,
 }
 
@@ -138,7 +138,7 @@ impl ChartPanel<'_> {
         }
     }
 
-    /// What curves and lines cover.
+    /// Ranges that the curves and lines cover, of x and of y.
     fn extent(&self) -> [Range<f64>; 2] {
         let finite = || self.points().filter(|p| p.0.is_finite() && p.1.is_finite());
         [span(finite().map(|p| p.0)), span(finite().map(|p| p.1).chain(self.levels.iter().map(|l| l.1)))]

@@ -92,13 +92,13 @@ impl<'a> Chattering<'a> {
         samples.chunk_by(|a, b| window(a.0) == window(b.0)).map(peak).collect()
     }
 
-    /// Whether every measured change keeps its bound; rounding apart, 1e-9 of a limit.
+    /// True if every measured change keeps its bound; rounding apart, 1e-9 of a limit.
     fn keeps_bound(&self) -> bool {
         let chatter = self.runs.iter().flat_map(|run| run.moving()).filter_map(|s| s.chatter.as_ref());
         chatter.into_iter().all(|c| c.measured <= c.bound + 1e-9)
     }
 
-    /// Whether some measured change exceeds the estimate.
+    /// True if some measured change exceeds the estimate.
     fn exceeds_estimate(&self) -> bool {
         let chatter = self.runs.iter().flat_map(|run| run.moving()).filter_map(|s| s.chatter.as_ref());
         chatter.into_iter().any(|c| !(c.measured <= c.estimate + 1e-9))

@@ -1,4 +1,4 @@
-//! The run that contradicts a statement: what is said as a line, what happens sample by sample.
+//! Figure of the run that contradicts a statement: the statement as a line, the run sample by sample.
 
 use crate::canvas::{Canvas, Drawn, Header};
 use crate::error::FigureError;
@@ -14,17 +14,17 @@ use std::path::Path;
 /// A statement and the run that contradicts it.
 #[derive(Clone, Copy, Debug)]
 pub struct Counterexample<'a> {
-    /// Heading: which statement.
+    /// Heading: the statement's name.
     pub title: &'a str,
-    /// What is seen, in a sentence.
+    /// Description of the run, in a sentence.
     pub message: &'a str,
     /// Label of the vertical axis, with its unit.
     pub quantity: &'a str,
-    /// What is said, in a few words for the legend.
+    /// Words of the statement for the legend.
     pub saying: &'a str,
-    /// Number of the sample and what is said about it; values that are not numbers make gaps.
+    /// Number of the sample and the value that the statement gives there; values that are not numbers make gaps.
     pub said: &'a [[f64; 2]],
-    /// Number of the sample and what is found, two or more.
+    /// Number of the sample and the value of the run there, two or more.
     pub found: &'a [[f64; 2]],
 }
 

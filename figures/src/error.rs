@@ -3,7 +3,7 @@ use slideway_lab::conditioning::PathMethod;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a study cannot be drawn.
+/// Reason why a study cannot be drawn.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum FigureError {
@@ -60,7 +60,7 @@ pub enum FigureError {
     Draw {
         /// Name of the figure.
         figure: &'static str,
-        /// What the library says.
+        /// Message of the drawing library.
         message: String,
     },
     /// A file cannot be written.
@@ -68,7 +68,7 @@ pub enum FigureError {
     Write {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: std::io::Error,
     },
 }

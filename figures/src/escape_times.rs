@@ -1,4 +1,4 @@
-//! How long traps stop the reference: distributions over random seeds.
+//! Times for which traps stop the reference: distributions over random seeds.
 
 use crate::canvas::{Canvas, Drawn, Header};
 use crate::error::FigureError;
@@ -16,7 +16,7 @@ use std::path::Path;
 pub struct EscapeStudy<'a> {
     /// Heading of the figure, in a few words.
     pub title: &'a str,
-    /// What is compared, one curve each.
+    /// Variants that are compared, one curve each.
     pub variants: &'a [EscapeVariant<'a>],
 }
 

@@ -53,7 +53,7 @@ pub(crate) fn travel_ratio(checked: &Checked, run: &Run) -> Option<String> {
     Some(format!("{:.4}", travel / shortest(checked)?))
 }
 
-/// What the travel ratio is.
+/// Meaning of the travel ratio, in words.
 pub(crate) fn travel_meaning(checked: &Checked) -> String {
     let shortest = shortest(checked).map(|t| significant(t, 4)).unwrap_or_default();
     format!("travel time over the optimum's {shortest} s")

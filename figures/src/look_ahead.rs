@@ -1,4 +1,4 @@
-//! What looking ahead buys: time over the optimum's, against the length of the window.
+//! Gain by looking ahead: time over the optimum's, against the length of the window.
 
 use crate::canvas::{Canvas, Drawn, Header};
 use crate::error::FigureError;

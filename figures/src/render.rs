@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub struct Rendered {
     /// Its name, and the stem of its files.
     pub name: &'static str,
-    /// What it shows, for under the figure and for readers who cannot see it.
+    /// Description, for under the figure and for readers who cannot see it.
     pub caption: String,
     /// The text of the SVG file.
     pub svg: String,

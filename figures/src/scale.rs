@@ -3,7 +3,7 @@
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
-/// How values are spaced along an axis.
+/// Spacing of values along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spacing {
     Linear,
@@ -22,10 +22,10 @@ pub(crate) struct Axis {
     range: Range<f64>,
     ticks: Vec<f64>,
     decimals: usize,
-    /// What is taken off the values in the labels, and the power of ten in which the rest is told.
+    /// Number taken off the values in the labels, and the power of ten in which the rest is told.
     offset: f64,
     exponent: i32,
-    /// Whether ticks and axis are named.
+    /// Naming of ticks and axis: shown or hidden.
     naming: Naming,
 }
 
@@ -128,7 +128,7 @@ impl Axis {
     }
 }
 
-/// How the drawing library sees an axis, its range and ticks being those of the spacing: decimal logarithms where it is
+/// An axis as the drawing library sees it, its range and ticks being those of the spacing: decimal logarithms where it is
 /// logarithmic.
 impl Ranged for Axis {
     type FormatOption = NoDefaultFormatting;

@@ -46,7 +46,7 @@ impl Space {
         Self(spans.map(|s| around(&s, (1.1 * (s.end - s.start)).max(0.2 * longest))))
     }
 
-    /// What a projection shows of two coordinates: both as long as the longer one.
+    /// Ranges that a projection shows of two coordinates: both as long as the longer one.
     pub(crate) fn ranges(&self, axes: [usize; 2]) -> [Range<f64>; 2] {
         let edge = axes.map(|k| self.0[k].end - self.0[k].start).into_iter().fold(0.0, f64::max);
         axes.map(|k| around(&self.0[k], edge))

@@ -3,7 +3,7 @@ use crate::style::label;
 use slideway_lab::{JointUnits, Method, Sample, Trace};
 use slideway_path::SampledPath;
 
-/// What the figures of a comparison of speed laws are drawn from.
+/// Data of the figures of a comparison of speed laws.
 #[derive(Clone, Copy, Debug)]
 pub struct SpeedStudy<'a> {
     /// Heading of every figure: the scenario, in a few words.
@@ -64,7 +64,7 @@ impl Optimum {
         optimum
     }
 
-    /// How long it takes, s.
+    /// Duration, s.
     #[must_use]
     pub fn duration(&self) -> Option<f64> {
         self.time.last().copied()

@@ -1,4 +1,4 @@
-//! What every figure has in common: sizes, colours, line styles, names.
+//! Style that all figures share: sizes, colours, line styles, names.
 //!
 //! Colours are those of Okabe and Ito, which stay apart under the common colour-vision deficiencies; every curve differs
 //! from the others in dashes and width too.
@@ -39,12 +39,12 @@ const DASH_DOT: &[f64] = &[22.0, 9.0, 5.0, 9.0];
 const SHORT_DASHES: &[f64] = &[11.0, 9.0];
 const LONG_DASHES: &[f64] = &[34.0, 16.0];
 
-/// What is followed: the optimum, the desired path.
+/// Line style of references: the optimum, the desired path.
 pub(crate) const REFERENCE: Stroke = Stroke { color: RGBColor(0xB0, 0xB0, 0xB0), width: 15.0, dashes: &[] };
 /// Limits and proven bounds.
 pub(crate) const LIMIT: Stroke = Stroke { color: INK, width: 2.5, dashes: SHORT_DASHES };
 
-/// Fills what a constraint forbids.
+/// Hatching of the region that a constraint forbids.
 pub(crate) const HATCH: Stroke = Stroke { color: RGBColor(0x9A, 0x9A, 0x9A), width: 1.5, dashes: &[] };
 
 /// The line style of a method, as in the figures of `[G11]` where it is one of theirs.

@@ -1,4 +1,4 @@
-//! What random trials measured of each guarantee, against the size of their disturbances.
+//! Figure of random trials: the measured value of each guarantee, against the size of the disturbances.
 
 use crate::canvas::{Canvas, Drawn, Header};
 use crate::error::FigureError;
@@ -40,7 +40,7 @@ pub struct TrialsPanel<'a> {
 pub struct TrialPoint {
     /// Size of the disturbances, 0 to 1.
     pub size: f64,
-    /// What was measured.
+    /// Measured value.
     pub measured: f64,
     /// Distance from the bound as a share of its size; negative where it is exceeded.
     pub margin: f64,

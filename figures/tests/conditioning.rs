@@ -1,4 +1,4 @@
-//! What the figures of path conditioning and of sweeps promise, on the built-in scenarios and on traces made by hand.
+//! Figures of path conditioning and of sweeps keep their promises, on the built-in scenarios and on traces made by hand.
 
 mod files;
 

@@ -1,4 +1,4 @@
-//! What the figures of speed laws promise, on the built-in scenarios and on traces made by hand.
+//! Figures of speed laws keep their promises, on the built-in scenarios and on traces made by hand.
 
 mod files;
 

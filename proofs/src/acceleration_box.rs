@@ -55,7 +55,7 @@ pub const CLAIM: Claim = Claim {
 ///
 /// # Errors
 ///
-/// What the shipped regulator refuses.
+/// Errors of the shipped regulator: settings that it refuses.
 pub fn regulator<const N: usize>(
     speed_limits: SpeedLimits<N>,
     acceleration_limits: AccelerationLimits<N>,

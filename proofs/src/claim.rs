@@ -1,6 +1,6 @@
 use crate::engine::Engine;
 
-/// How the source's own statement fares.
+/// Verdict on the source's own statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds as it stands.
@@ -36,15 +36,15 @@ pub struct Twin {
 pub struct Claim {
     /// Name by which code and documentation refer to it.
     pub name: &'static str,
-    /// What is claimed, in one or two sentences.
+    /// Statement of the claim, in one or two sentences.
     pub statement: &'static str,
     /// Where the statement, or the one it corrects, comes from.
     pub source: &'static str,
-    /// How the source's statement fares.
+    /// Verdict on the source's statement.
     pub verdict: Verdict,
     /// Negations of the claim, each expected to be unsatisfiable.
     pub negations: &'static [Script],
-    /// What goes wrong without a hypothesis.
+    /// The claim with one hypothesis dropped, and counterexamples to it.
     pub twins: &'static [Twin],
     /// Property tests of the shipped code.
     pub engines: &'static [Engine],

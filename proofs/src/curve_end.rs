@@ -84,10 +84,11 @@ impl Line {
     }
 }
 
-/// What is left of the slack when the line has been run to its end, m.
+/// Runs the line to its end and gives the smallest margin, m: the slack less the length by which the tool went back, passed the end or
+/// stopped beside it.
 ///
-/// Slack. Inverse kinematics ends within 1e-10 m of a place, twice for a difference; the queue takes a remainder of 1e-12 of the line,
-/// which is no longer than 0.6 m, for none.
+/// Slack. Inverse kinematics ends within 1e-10 m of a place, twice for a difference; the queue counts a remainder of 1e-12 of the line,
+/// whose length is at most 0.6 m, as none.
 fn run(line: &Line, queue: &mut MotionQueue<2, 4>, choices: &mut Choices) -> Result<f64, Stop> {
     const SLACK: f64 = 2e-10 + 1e-12;
     let period = choices.decade(-2.2, -1.4);

@@ -81,7 +81,7 @@ fn unit(choices: &mut Choices) -> f64 {
     }
 }
 
-/// How far a number is inside [0, 1].
+/// Distance of a number from the nearer end of [0, 1]; negative outside.
 fn inside(factor: f64) -> f64 {
     factor.min(1.0 - factor)
 }

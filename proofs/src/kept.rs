@@ -33,7 +33,7 @@ pub enum KeptError {
     /// No JSON, or fields that a case does not have.
     #[error("the file is no case: {0}")]
     Text(serde_json::Error),
-    /// The claim or its property has another name now.
+    /// There is no claim of that name, or it has no such property.
     #[error("there is no property `{property}` of a claim `{claim}`")]
     Unknown {
         /// The claim asked for.
@@ -46,13 +46,13 @@ pub enum KeptError {
     Choice {
         /// Counted from 0.
         index: usize,
-        /// What was given.
+        /// Value that was given.
         value: f64,
     },
 }
 
 impl KeptError {
-    /// What to do about it.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {
@@ -87,7 +87,7 @@ impl Replayed {
 }
 
 impl KeptCase {
-    /// What an attack found.
+    /// The case that an attack found.
     #[must_use]
     pub fn found(claim: &Claim, engine: &Engine, found: &Found) -> Self {
         Self {

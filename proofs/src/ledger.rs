@@ -82,7 +82,7 @@ pub fn margin_in_words(margin: f64) -> String {
     }
 }
 
-/// Whether the proof of a claim stands.
+/// Status of the proof of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ProofStatus {
     /// Every negation is unsatisfiable, every twin satisfiable.
@@ -110,7 +110,7 @@ pub fn prove(claim: &Claim) -> ProofStatus {
     ProofStatus::Proven
 }
 
-/// Which engines catch a broken regulator within [`CATCH`] cases: claim, engine, and the first case that does.
+/// Engines that catch a broken regulator within [`CATCH`] cases: claim, engine, and the first case that does.
 #[must_use]
 pub fn catches(fault: Fault) -> Vec<Catch> {
     let engines = CLAIMS.iter().flat_map(|claim| claim.engines.iter().map(move |engine| (claim.name, engine)));
@@ -134,7 +134,7 @@ pub struct Catch {
     pub case: u64,
 }
 
-/// How the source's statement fares, in words.
+/// Words for the verdict on the source's statement.
 #[must_use]
 pub fn verdict_in_words(verdict: Verdict) -> &'static str {
     match verdict {

@@ -1,4 +1,4 @@
-//! What is claimed about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
+//! Claims about the conditioners, natural motion and control of an arm, and the machine-checked form of each claim.
 //!
 //! One module a claim: its documentation states hypotheses (with units), equations and derivation; its [`Claim`] holds
 //! the scripts for z3. The tests under `proofs/tests/claims`, one file a claim, check three things:

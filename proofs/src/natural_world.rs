@@ -21,7 +21,7 @@ impl<const N: usize> System<N> {
         self.jacobian.row_iter().zip(self.tangent.iter()).map(|(row, t)| row.norm().hypot(*t)).product()
     }
 
-    /// What `n̄` leaves of `J n - t q̇*`, and the size of what cancels.
+    /// Norm of `J n - t q̇*` at `n̄`, zero but for rounding, and the size of the terms that cancel in it.
     #[must_use]
     pub fn residual(&self, null: &NullVector<N>) -> [f64; 2] {
         let left = self.jacobian * null.joints - self.tangent * null.path;

@@ -16,7 +16,7 @@ pub const CUTOFF: f64 = 20.0;
 /// Approach time, s.
 pub const APPROACH: f64 = 0.1;
 
-/// How fast a constraint is regained from outside, m/s.
+/// Rate at which a constraint is regained from outside, m/s.
 pub const RECOVERY: f64 = 0.5;
 
 /// Settings in which only the form varies.
@@ -170,7 +170,7 @@ impl Body {
     }
 }
 
-/// What a body is built from, before the start is known.
+/// Numbers from which a body is built once the start is known.
 #[derive(Clone, Copy, Debug)]
 pub struct Sketch {
     /// 0 wall, 1 ball from outside, 2 ball from inside.

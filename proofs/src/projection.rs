@@ -56,7 +56,7 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
 }
 
-/// How far the point can be from the nearest one, for a wall of this normal and offset.
+/// Greatest distance that the point can have from the nearest one, m, for a wall of this normal and offset.
 fn doubt(projection: &Projection<3>, normal: &[f64; 3], offset: f64) -> f64 {
     let length = norm(&projection.point);
     let rounding = 4.0 * f64::EPSILON * (2.0 + length * norm(normal));

@@ -93,7 +93,8 @@ fn give(queue: &mut MotionQueue<2, 8>, command: Command) -> Result<(), MotionErr
     Ok(())
 }
 
-/// What a step of `h` seconds leaves of what the acceleration limit allows, as shares of it: of the speed, of the position.
+/// Room that a step of `h` seconds leaves below the acceleration limit, as a share of the change that the limit allows: the smaller
+/// of the speed's and the position's.
 ///
 /// Slack. The planner of moving states ends within 2e-8 of its target, where the queue goes on from rest; the limits are checked to
 /// 1e-9 of them.

@@ -9,19 +9,19 @@ use crate::engine::Stop;
 /// A statement, and a counterexample that is replayed on the shipped code.
 #[derive(Clone, Copy, Debug)]
 pub struct Refutation {
-    /// What is said.
+    /// Statement that is refuted.
     pub statement: &'static str,
-    /// Where.
+    /// Source of the statement.
     pub source: &'static str,
     /// The claim that holds instead.
     pub claim: &'static str,
     /// The case.
     pub numbers: &'static str,
-    /// What the statement says about it.
+    /// Prediction of the statement for the case.
     pub said: &'static str,
-    /// By that much the shipped code contradicts it: positive if it does.
+    /// Excess by which the shipped code contradicts it: positive if it does.
     pub excess: fn() -> Result<f64, Stop>,
-    /// What the shipped code does instead, as a number.
+    /// Number that the shipped code gives instead.
     pub replay: fn() -> Result<f64, Stop>,
     /// The run in which it does, for a figure.
     pub run: fn() -> Result<RefutingRun, Stop>,
@@ -30,15 +30,15 @@ pub struct Refutation {
 /// The run of a counterexample, on the shipped code, sample by sample; it goes on where the case does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RefutingRun {
-    /// What the statement is about, with its unit.
+    /// Quantity that the statement is about, with its unit.
     pub quantity: &'static str,
-    /// What is seen, in a sentence.
+    /// Description of the run, in a sentence.
     pub seen: &'static str,
     /// Number of the sample, and the quantity there.
     pub found: Vec<[f64; 2]>,
-    /// Number of the sample, and what the statement says about the quantity there.
+    /// Number of the sample, and the value that the statement gives for the quantity there.
     pub said: Vec<[f64; 2]>,
-    /// What the statement says, in a few words.
+    /// Words of the statement for the figure's legend.
     pub saying: &'static str,
 }
 

@@ -87,7 +87,7 @@ pub const CLAIM: Claim = Claim {
     ],
 };
 
-/// How much signals may change over one sample, in limits.
+/// Size of the signals' changes over one sample, in limits.
 trait Change {
     fn draw(choices: &mut Choices) -> f64;
 }

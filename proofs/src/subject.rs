@@ -1,4 +1,4 @@
-//! What the engines test: the shipped speed regulator, or one broken on purpose.
+//! Subjects of the engines: the shipped speed regulator, or one broken on purpose.
 //!
 //! The broken ones live here and nowhere else. Each makes one mistake that a careless edit of the regulator could make; that every one
 //! is caught by a claim shows that the claims would notice the mistake.
@@ -46,7 +46,7 @@ impl Fault {
         Self::SwitchDelayed,
     ];
 
-    /// What is wrong, in a few words.
+    /// Description of the fault, in a few words.
     #[must_use]
     pub fn description(self) -> &'static str {
         match self {
@@ -75,7 +75,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// What the shipped regulator refuses.
+    /// Errors of the shipped regulator: settings that it refuses.
     pub fn regulator<const N: usize>(
         self,
         settings: SpeedSettings<N>,
@@ -93,7 +93,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// What the shipped filter refuses.
+    /// Errors of the shipped filter: a bandwidth or period that it refuses.
     pub fn filter(self, bandwidth: f64, period: f64, output: f64, input: f64) -> Result<f64, ParameterError> {
         let shipped = slideway_conditioner::FirstOrderFilter::new(bandwidth, period)?;
         Ok(match self {

@@ -9,7 +9,7 @@ use thiserror::Error;
 /// Seconds after which the solver gives up and answers [`Answer::Unknown`].
 const TIME_LIMIT: u32 = 120;
 
-/// What the solver says about a script.
+/// Answer of the solver to a script.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// No assignment satisfies the assertions: the negated claim is impossible.
@@ -45,7 +45,7 @@ impl Model {
     }
 }
 
-/// Why there is no answer. None of these may be taken for a proof.
+/// Reason why there is no answer. None of these may be taken for a proof.
 #[derive(Debug, Error)]
 pub enum Z3Error {
     /// The binary is not there.
@@ -62,13 +62,13 @@ pub enum Z3Error {
     /// The solver objects to the script.
     #[error("the solver refuses the script: {message}")]
     Script {
-        /// What it printed.
+        /// Text that it printed.
         message: String,
     },
     /// The solver printed something that is no answer.
     #[error("the solver's answer was not understood: {output}")]
     Output {
-        /// What it printed.
+        /// Text that it printed.
         output: String,
     },
     /// A model has no readable value under this name.

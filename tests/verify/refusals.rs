@@ -1,4 +1,4 @@
-//! What is refused, before anything runs or is overwritten.
+//! Refusals, before anything runs or is overwritten.
 
 use serde_json::{Value, json};
 

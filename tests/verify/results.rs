@@ -1,4 +1,4 @@
-//! What a campaign ends in: status, JSON, JUnit and page.
+//! Results of a campaign: status, JSON, JUnit and page.
 
 use quick_xml::events::Event;
 use serde_json::{Value, json};

@@ -30,7 +30,7 @@ const START: [f64; 3] = [0.0, 0.0, 0.02];
 /// Deep inside the balls.
 const PRESSING: Motion<3> = Motion { time: 0.0, position: [0.0, 0.0, -0.1], velocity: [0.0; 3] };
 
-/// What is done with one measured step.
+/// Measurement of one step: a bench's or an example's.
 pub(crate) trait Meter {
     /// `prepare` brings the method into contact and gives its step.
     fn measure<S: FnMut()>(&mut self, name: &str, prepare: impl Fn() -> S);

@@ -65,7 +65,7 @@ impl<const N: usize> ConvexSet<N> {
         }
     }
 
-    /// How far `x` is outside, in the units of the set's own inequality.
+    /// Amount by which `x` is outside, in the units of the set's own inequality; negative inside.
     #[must_use]
     pub fn violation(&self, x: &[f64; N]) -> f64 {
         let slack: Vec<f64> = self.block().rows.iter().map(|(row, b)| b - dot(row, x)).collect();

@@ -25,7 +25,7 @@ pub struct Projection<const N: usize> {
     pub violation: f64,
 }
 
-/// Why there is no projection.
+/// Reason why there is no projection.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ProjectionError {
     /// The set is empty, or the search space contains none of it.

@@ -5,14 +5,14 @@ use crate::safety_filter::SmallestPush;
 use crate::safety_filter::dense::DualActiveSet;
 use slideway_conditioner::path::{Constraint, Motion};
 
-/// How far from the point the descents start, as shares of a length of 1 m: near and far obstacles alike.
+/// Distances from the point at which the descents start, as shares of a length of 1 m: near and far obstacles alike.
 const REACH: [f64; 4] = [0.01, 0.05, 0.2, 0.8];
 /// Linearisations of one descent.
 const ROUNDS: usize = 100;
 /// A constraint counts as kept up to this, in units of `σ`.
 const KEPT: f64 = 1e-9;
 
-/// How many descents.
+/// Choice of the descents' starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
     /// From the last projection and from the reference: follows a local optimum along a path.

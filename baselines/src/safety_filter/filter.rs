@@ -16,7 +16,7 @@ pub struct FilterSettings<const M: usize> {
     pub rounds: usize,
 }
 
-/// Why a sample has no answer.
+/// Reason why a sample has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FilterError {
     /// The quadratic program has no solution, or the solver found none.

@@ -7,7 +7,7 @@ use super::piece::PieceProgram;
 pub(super) struct Ranges {
     pub(super) low: Vec<f64>,
     pub(super) high: Vec<f64>,
-    /// Why each node's range ends where it does, low and high.
+    /// Reason why each node's range ends where it does, low and high.
     pub(super) reasons: Vec<[Reason; 2]>,
 }
 

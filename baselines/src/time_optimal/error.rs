@@ -1,7 +1,7 @@
 use slideway_path::LimitKind;
 use thiserror::Error;
 
-/// Why there is no optimum.
+/// Reason why there is no optimum.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OptimumError {
@@ -31,19 +31,19 @@ pub enum OptimumError {
         node: usize,
         /// The piece's parameter there.
         s: f64,
-        /// What is limited.
+        /// Quantity that is limited.
         kind: LimitKind,
         /// The joint, counted from 0; 0 for the tool's speed, the polygon's side for its acceleration.
         index: usize,
         /// Unless some limit of the proof gives way by this share of its range, there is no profile.
         share: f64,
-        /// Whether the proof, a Farkas certificate, holds under outward rounding; false only within rounding of feasible.
+        /// True if the proof, a Farkas certificate, holds under outward rounding; false only within rounding of feasible.
         proven: bool,
     },
     /// Limits between the nodes stay exceeded.
     #[error("limits between the nodes are still exceeded by {excess:e} of their range after {rounds} rounds")]
     NotRefined {
-        /// What is left.
+        /// Largest excess that is left, as a share of a limit's range.
         excess: f64,
         /// Rounds tried.
         rounds: usize,

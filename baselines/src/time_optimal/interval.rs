@@ -10,7 +10,7 @@ pub(super) enum Line {
     Strip(usize),
 }
 
-/// Why `x` is bounded as it is.
+/// Reason why `x` is bounded as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Reason {
     /// The node's own box.
@@ -33,7 +33,7 @@ pub(super) enum Clash {
     Pair { low: Line, high: Line, bound: Reason },
 }
 
-/// Which of the two unknowns is projected out.
+/// The unknown that is projected out, of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Direction {
     /// `x` is the node before, `y` the node after.
@@ -52,7 +52,7 @@ impl Direction {
     }
 }
 
-/// Which end of the feasible range of `x`.
+/// End of the feasible range of `x`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Extreme {
     /// The least `x`.
@@ -357,7 +357,7 @@ fn outward_line(line: Line, which: Extreme, strips: &[Strip], direction: Directi
     }
 }
 
-/// Which bound of a strip gives its lower (`Least`) or upper line, by the sign of the coefficient of `y`.
+/// The bound of a strip that gives its lower (`Least`) or upper line, by the sign of the coefficient of `y`.
 pub(super) fn bounding_side(far: f64, which: Extreme) -> Side {
     if (far > 0.0) == (which == Extreme::Greatest) { Side::Upper } else { Side::Lower }
 }

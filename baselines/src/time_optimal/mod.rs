@@ -93,7 +93,7 @@ pub struct ProfilePiece {
     pub s: Vec<f64>,
     /// `b = ṡ²` at the nodes.
     pub b: Vec<f64>,
-    /// Whether the tool stands still along the piece.
+    /// True if the tool stands still along the piece.
     pub is_self_motion: bool,
 }
 
@@ -127,7 +127,7 @@ impl TimeOptimum {
         (self.upper_s - self.lower_s) / self.lower_s
     }
 
-    /// Whether the certificate closes to [`GAP_TOLERANCE`]. NaN does not.
+    /// True if the certificate closes to [`GAP_TOLERANCE`]. NaN does not.
     #[must_use]
     pub fn is_certified(&self) -> bool {
         self.lower_s > 0.0 && self.gap() <= GAP_TOLERANCE

@@ -261,8 +261,8 @@ impl PieceProgram {
         })
     }
 
-    /// Which rows, by their number in [`PieceProgram::rows`], form the borders of the intervals' polygons: with the caps they imply
-    /// all others, so a solver needs no more. Rounding may leave out a row that touches the border; whoever uses the answer
+    /// True for the rows, by their number in [`PieceProgram::rows`], that form the borders of the intervals' polygons: with the caps they
+    /// imply all others, so a solver needs no more. Rounding may leave out a row that touches the border; whoever uses the answer
     /// checks it against all rows.
     pub(super) fn border_rows(&self) -> Vec<bool> {
         let mut is_border = vec![false; self.strips.len() * 2];

@@ -52,7 +52,7 @@ pub fn repair(program: &PieceProgram, answer: &[f64]) -> Result<Vec<f64>, Optimu
     Ok(inner)
 }
 
-/// Whether no row couples a node with its neighbours or bounds it beyond its cap.
+/// True if no row couples a node with its neighbours or bounds it beyond its cap.
 fn is_alone(program: &PieceProgram, node: usize) -> bool {
     let empty = |interval: usize| interval >= program.h.len() || program.interval(interval).is_empty();
     empty(node) && (node == 0 || empty(node - 1))

@@ -1,4 +1,4 @@
-//! Which solver answers, and what each was asked and said.
+//! Solvers of a piece: their order, and each one's attempt and answer.
 
 use super::certificate::lower_bound;
 use super::conic::solve_conic;
@@ -62,7 +62,7 @@ pub struct Attempt {
     pub gap: f64,
 }
 
-/// What to run, in this order, until the bounds are close enough.
+/// A run of a solver; the runs follow in their order until the bounds are close enough.
 #[derive(Clone, Copy)]
 enum Run {
     Structured(Start),

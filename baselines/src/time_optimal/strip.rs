@@ -22,7 +22,7 @@ pub struct Strip {
 /// The limit behind a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowSource {
-    /// What is limited.
+    /// Quantity that is limited.
     pub kind: LimitKind,
     /// Joint, or side of a polygon, counted from 0.
     pub index: u16,
@@ -32,7 +32,7 @@ pub struct RowSource {
     pub node: u32,
 }
 
-/// Which bound of a strip.
+/// Bound of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// The lower one.
@@ -139,7 +139,7 @@ impl Strip {
         bound.is_finite().then_some(row)
     }
 
-    /// Whether the numbers are usable: finite coefficients, bounds that are numbers in the right order.
+    /// True if the numbers are usable: finite coefficients, bounds that are numbers in the right order.
     pub(super) fn is_valid(&self) -> bool {
         self.before.is_finite() && self.after.is_finite() && self.lower <= self.upper
     }

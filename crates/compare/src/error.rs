@@ -3,7 +3,7 @@ use slideway_baselines::time_optimal::OptimumError;
 use slideway_path::ProblemError;
 use thiserror::Error;
 
-/// Why a comparison came to nothing.
+/// Reason why a comparison came to nothing.
 #[derive(Debug, Error)]
 pub enum CompareError {
     /// A problem or a method that cannot be run.
@@ -25,7 +25,7 @@ pub enum CompareError {
         option: &'static str,
         /// Its value.
         value: f64,
-        /// What would do.
+        /// Remedy, in a few words.
         remedy: &'static str,
     },
     /// The caller ended it.
@@ -34,7 +34,7 @@ pub enum CompareError {
 }
 
 impl CompareError {
-    /// What to do about it.
+    /// Remedy, in a sentence or two.
     #[must_use]
     pub fn remedy(&self) -> String {
         match self {

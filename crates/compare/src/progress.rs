@@ -4,7 +4,7 @@ use slideway_lab::conditioning::PathMethod;
 use std::fmt;
 use std::ops::ControlFlow;
 
-/// How far a comparison has come.
+/// Progress of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// Steps that are done.

@@ -78,7 +78,7 @@ fn tells_apart(values: &[f64], texts: &[String]) -> bool {
     !values.iter().zip(texts).any(zero) && !(0..values.len()).any(|i| (0..i).any(|j| alike(i, j)))
 }
 
-/// What the values are multiplied by, and the prefix of the unit then.
+/// Factor by which the values are multiplied, and the prefix of the unit that goes with it.
 fn scale(values: &[f64], unit: &str) -> (f64, &'static str) {
     let largest = values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |most, v| most.max(v.abs()));
     match largest {

@@ -4,7 +4,7 @@ use slideway_conditioner::ParameterError;
 use slideway_robot::RobotError;
 use thiserror::Error;
 
-/// Why a problem cannot be posed, or its path not followed.
+/// Reason why a problem cannot be posed, or its path not followed.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ProblemError {
@@ -13,7 +13,7 @@ pub enum ProblemError {
     Value {
         /// Name of the value; where it comes from a scenario its key, dotted, list elements counted from 0: `limits.speed.2`.
         key: String,
-        /// What is wrong with it.
+        /// Fault of the value.
         fault: Fault,
     },
     /// The robot cannot follow the path continuously.
@@ -37,12 +37,12 @@ pub enum ProblemError {
     LeavesReach {
         /// Path parameter of the last configuration found.
         at: f64,
-        /// What the inverse kinematics says.
+        /// Error of the inverse kinematics.
         source: RobotError,
     },
 }
 
-/// What is wrong with a value.
+/// Fault of a value.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Fault {
@@ -67,7 +67,7 @@ pub enum Fault {
         found: usize,
         /// Entries needed.
         expected: usize,
-        /// What the list is of.
+        /// Kind of the list's entries.
         list: ListOf,
     },
     /// Two numbers that must increase do not.
@@ -84,12 +84,12 @@ pub enum Fault {
     /// Keys that exclude each other.
     #[error("{0}")]
     Conflict(&'static str),
-    /// A choice that the rest of the scenario does not allow, with what would.
+    /// A choice that the rest of the scenario does not allow, with the change that would allow it.
     #[error("{need}")]
     Unmet {
-        /// What it needs.
+        /// Requirement of the choice.
         need: &'static str,
-        /// How to give it.
+        /// Remedy: the way to meet the requirement.
         remedy: &'static str,
     },
     /// A task that prescribes more coordinates than the arm has joints.
@@ -114,7 +114,7 @@ pub enum Fault {
     /// A number too large or too small to be meant.
     #[error("{value} is {}", outside(*value, *least, *most))]
     OutOfRange {
-        /// What was given.
+        /// Value that was given.
         value: f64,
         /// Smallest accepted.
         least: f64,
@@ -124,7 +124,7 @@ pub enum Fault {
     /// A number outside a range whose ends do not belong to it.
     #[error("{value} is outside ({least}, {most}), whose ends do not count")]
     OutOfOpenRange {
-        /// What was given.
+        /// Value that was given.
         value: f64,
         /// All larger ones are accepted, up to the next.
         least: f64,
@@ -134,7 +134,7 @@ pub enum Fault {
     /// Natural motion without the part of a spherical wrist, on an arm or a task that has none.
     #[error("the factor `arm` leaves out the part of a spherical wrist: {reason}")]
     NoWristFactor {
-        /// What is missing.
+        /// Part or property that is missing.
         reason: &'static str,
     },
     /// A path that has no finite value or derivative somewhere.
@@ -145,7 +145,7 @@ pub enum Fault {
     Name {
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// Fault of the name.
         reason: NameFault,
     },
     /// A constraint whose gradient is zero on its own boundary.
@@ -187,7 +187,7 @@ pub enum Fault {
     Robot(#[from] RobotError),
 }
 
-/// What is wrong with a name.
+/// Fault of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum NameFault {
     /// Nothing in it.
@@ -201,7 +201,7 @@ pub enum NameFault {
     Character,
 }
 
-/// What a list has an entry for.
+/// Kind of a list's entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ListOf {
     /// A number for each joint; a single number would do for all of them.
@@ -243,7 +243,7 @@ impl ListOf {
     }
 }
 
-/// What a number outside a range is; an end that no number passes is none.
+/// Words for a number outside a range; an end that no number passes is left out.
 fn outside(value: f64, least: f64, most: f64) -> String {
     match (least > f64::MIN, most < f64::MAX) {
         (true, true) => format!("outside [{least}, {most}]"),
@@ -258,7 +258,7 @@ fn widths(numbers: &[usize]) -> String {
 }
 
 impl Fault {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> String {
         match self {
@@ -333,7 +333,7 @@ impl ProblemError {
         Self::Value { key: key.into(), fault: fault.into() }
     }
 
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> String {
         match self {

@@ -15,11 +15,11 @@ pub(crate) const READY: [f64; 6] = [0.2, 0.6, -3.0, 0.3, -1.0, 0.4];
 /// Largest torques of the PUMA-560's joints, N·m: what its motors give at the joint, rounded (Armstrong, Khatib and Burdick 1986).
 pub(crate) const LARGEST: [f64; 6] = [97.0, 186.0, 89.0, 24.0, 20.0, 21.0];
 
-/// The PUMA-560 with its rotors. A model without friction, and the arm itself with it.
+/// The PUMA-560 with its rotors, twice: as the controllers know it, without friction, and as it is, with friction.
 pub(crate) struct Puma {
-    /// What controllers know.
+    /// Model that the controllers compute with: no friction.
     pub(crate) model: Dynamics<6>,
-    /// What they move.
+    /// Arm that is simulated: with friction.
     pub(crate) real: Dynamics<6>,
 }
 

@@ -2,7 +2,7 @@ use slideway_baselines::time_optimal::OptimumError;
 use slideway_motion::MotionError;
 use thiserror::Error;
 
-/// Why a study could not be run to its end.
+/// Reason why a study could not be run to its end.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -15,15 +15,15 @@ pub enum StudyError {
     /// The simulation did not come to its end.
     #[error("{what} did not end within {seconds} s")]
     Endless {
-        /// What should have ended.
+        /// Motion that should have ended.
         what: &'static str,
-        /// How long it was waited for, s.
+        /// Simulated time within which it should have ended, s.
         seconds: f64,
     },
 }
 
 impl StudyError {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {

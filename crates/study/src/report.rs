@@ -1,19 +1,19 @@
 use serde::Serialize;
 
-/// What a study found, as plain data.
+/// Findings of a study, as plain data.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The study's name.
     pub study: &'static str,
     /// The heading of its figure.
     pub title: &'static str,
-    /// Whether everything that is claimed was found.
+    /// True if everything that is claimed was found.
     pub holds: bool,
-    /// What was found, in a sentence or two.
+    /// Findings, in a sentence or two.
     pub sentence: String,
     /// The numbers behind it.
     pub numbers: Vec<NamedNumber>,
-    /// What to draw, from top to bottom.
+    /// Panels of its figure, from top to bottom.
     #[serde(skip)]
     pub panels: Vec<Panel>,
 }
@@ -29,7 +29,7 @@ impl Report {
 /// A number with its name and unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NamedNumber {
-    /// What it is, in kebab case.
+    /// Name of the quantity, in kebab case.
     pub name: String,
     /// Its value.
     pub value: f64,
@@ -48,13 +48,13 @@ impl NamedNumber {
 /// Axes with curves in them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// What it shows.
+    /// Heading: the quantities that it shows.
     pub title: String,
     /// Quantity and unit of the horizontal axis.
     pub x: &'static str,
     /// Quantity and unit of the vertical axis.
     pub y: &'static str,
-    /// How the two axes are scaled.
+    /// Scaling of the two axes.
     pub scales: Scales,
     /// Curves; a name stands for the same line style in all panels of a figure.
     pub series: Vec<Series>,
@@ -62,7 +62,7 @@ pub struct Panel {
     pub levels: Vec<Level>,
 }
 
-/// How the axes of a panel are scaled.
+/// Scaling of a panel's axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scales {
     /// Each axis fills its side.
@@ -76,18 +76,18 @@ pub enum Scales {
 pub struct Series {
     /// Its name in the legend.
     pub name: &'static str,
-    /// What it stands for.
+    /// Role: reference or result.
     pub role: Role,
     /// Its points, in the units of the axes.
     pub points: Vec<[f64; 2]>,
 }
 
-/// What a curve stands for.
+/// Role of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// What is to be followed, or compared with: drawn broad and pale.
+    /// A course to be followed, or compared with: drawn broad and pale.
     Reference,
-    /// What was done.
+    /// A course that came about.
     Result,
 }
 

@@ -48,7 +48,7 @@ impl Study {
         }
     }
 
-    /// What it is about, in one line.
+    /// Subject of the study, in one line.
     #[must_use]
     pub fn summary(self) -> &'static str {
         match self {

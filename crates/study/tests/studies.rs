@@ -1,4 +1,4 @@
-//! What each study is to find, by its numbers.
+//! Findings that each study must have, by its numbers.
 
 use slideway_study::{Report, Study, run};
 

@@ -17,7 +17,7 @@ pub struct CampaignRequest {
     pub grid_points: usize,
     /// Seed of the disturbances.
     pub seed: u64,
-    /// How many trials.
+    /// Number of trials.
     pub trials: u64,
 }
 
@@ -65,13 +65,13 @@ impl Campaign {
         Self { statement, ..self }
     }
 
-    /// What was asked for.
+    /// The request that the campaign was made for.
     #[must_use]
     pub fn request(&self) -> CampaignRequest {
         self.request
     }
 
-    /// What is known before any trial.
+    /// The statement that every trial is held against, made before any of them.
     #[must_use]
     pub fn statement(&self) -> &Statement {
         &self.statement

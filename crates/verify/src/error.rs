@@ -1,7 +1,7 @@
 use slideway_baselines::time_optimal::OptimumError;
 use slideway_path::ProblemError;
 
-/// Why a problem cannot be verified or tuned.
+/// Reason why a problem cannot be verified or tuned.
 #[derive(Debug, thiserror::Error)]
 pub enum VerifyError {
     /// The problem cannot be used.
@@ -24,15 +24,15 @@ pub enum VerifyError {
     NotPositive {
         /// Which.
         what: &'static str,
-        /// What was given.
+        /// Value that was given.
         value: f64,
     },
     /// A trial beyond the campaign's last.
     #[error("there is no trial {number}: the campaign has {trials}")]
     NoTrial {
-        /// What was asked for.
+        /// Number that was asked for, from 0.
         number: u64,
-        /// How many there are, counted from 0.
+        /// Number of trials, counted from 0.
         trials: u64,
     },
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
 ///
 /// # Errors
 ///
-/// What the serialiser reports.
+/// Errors of the serialiser.
 pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     Written::of(*value).serialize(serializer)
 }
@@ -55,7 +55,7 @@ pub mod option {
     ///
     /// # Errors
     ///
-    /// What the serialiser reports.
+    /// Errors of the serialiser.
     #[allow(clippy::ref_option)]
     pub fn serialize<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
         value.map(Written::of).serialize(serializer)

@@ -6,7 +6,7 @@ use slideway_path::{Fault, ProblemError};
 /// The entries but the first two are the greatest of each disturbance; 0 leaves it out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VerifyOptions {
-    /// How many trials.
+    /// Number of trials.
     pub trials: Option<u64>,
     /// Seed of the campaign.
     pub seed: Option<u64>,

@@ -1,4 +1,4 @@
-//! What is stated of a path conditioner holds in runs and trials of scenarios of any kind, or it is not stated.
+//! Every entry stated of a path conditioner holds in runs and trials of scenarios of any kind, or it is not stated.
 
 mod support;
 

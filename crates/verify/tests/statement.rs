@@ -1,4 +1,4 @@
-//! What a statement says contains what a run shows, and says something.
+//! Bounds of a statement contain the values of a run, and there are some.
 
 mod support;
 

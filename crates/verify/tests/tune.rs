@@ -1,4 +1,4 @@
-//! What is proposed satisfies what was asked for; what is offered instead would have done.
+//! Proposed parameters satisfy the request; values offered instead would have done so.
 
 mod support;
 

@@ -16,7 +16,7 @@ pub(crate) struct Push<'a>(pub(crate) &'a Checked<'a>);
 
 const PANEL: f64 = 225.0;
 
-/// What the push adds to the reference, the walk left out.
+/// Correction that the push adds to the reference, the walk left out: one coordinate, m.
 fn correction(s: &ConditionedSample, k: usize) -> f64 {
     s.position[k] - s.reference[k] - s.walk[k]
 }

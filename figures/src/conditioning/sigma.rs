@@ -27,7 +27,7 @@ impl Sigma<'_> {
         self.0.conditioners().next().unwrap_or(&self.0.runs[0])
     }
 
-    /// What the reference alone would do.
+    /// Values of `σ_i` over time that the reference alone would have.
     fn unconditioned(&self, i: usize) -> Vec<Point> {
         let constraint = &self.0.study.problem.constraints[i];
         let sigma = |time, position| constraint.sample(&Motion { time, position, velocity: [0.0; 3] }).value;

@@ -6,7 +6,7 @@ use slideway_lab::conditioning::{
 };
 use std::ops::Range;
 
-/// What the figures of a path-conditioning study are drawn from.
+/// Data of the figures of a path-conditioning study.
 #[derive(Clone, Copy, Debug)]
 pub struct ConditioningStudy<'a> {
     /// Heading of every figure: the scenario, in a few words.
@@ -93,7 +93,7 @@ impl<'a> Checked<'a> {
         self.runs.iter().filter(|run| run.method.is_conditioner())
     }
 
-    /// Whether a trap stopped the reference of some run, so that the runs' clocks differ.
+    /// True if a trap stopped the reference of some run, so that the runs' clocks differ.
     pub(crate) fn has_trap(&self) -> bool {
         self.runs.iter().any(PathRun::is_trapped)
     }

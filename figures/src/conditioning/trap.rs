@@ -30,7 +30,7 @@ impl<'a> Trap<'a> {
         (!runs.is_empty()).then_some(Self { checked, runs })
     }
 
-    /// How fast the reference runs, as a share of its rate.
+    /// Rate of the reference over time, as a share of its rate without a trap.
     fn pace(&self, run: &PathRun) -> Vec<Point> {
         let reference = &self.checked.study.problem.reference;
         let rate = reference.lambda(1.0) - reference.lambda(0.0);
@@ -66,7 +66,7 @@ fn stops(run: &PathRun, height: f64) -> Vec<Point> {
     run.against_time(|s| if s.phase == Phase::Trapped { height } else { f64::NAN })
 }
 
-/// How long the reference was stopped.
+/// Time for which the reference was stopped, in words.
 fn stopped(run: &PathRun) -> String {
     match run.summary.escape_s {
         Some(time) => format!("{time:.2} s"),

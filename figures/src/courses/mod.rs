@@ -33,11 +33,11 @@ pub struct CourseStudy<'a> {
 pub struct NamedCourse {
     /// The law.
     pub law: CourseLaw,
-    /// What the joints do.
+    /// Course of the joints.
     pub course: Course,
 }
 
-/// Whose course it is.
+/// The law that a course belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CourseLaw {
     /// The offline optimum.

@@ -12,7 +12,7 @@ use plotters::backend::DrawingBackend;
 use slideway_lab::natural::{ModelErrorRun, ModelErrorSample};
 use std::path::Path;
 
-/// What a wrong model costs several laws on one path.
+/// Errors of several laws on one path under a wrong model.
 #[derive(Clone, Copy, Debug)]
 pub struct ModelErrorStudy<'a> {
     /// Heading of the figure: the scenario, in a few words.
@@ -23,7 +23,7 @@ pub struct ModelErrorStudy<'a> {
     pub laws: &'a [ModelErrorOfLaw],
 }
 
-/// What it costs one law.
+/// Errors of one law under a wrong model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelErrorOfLaw {
     /// The law.
@@ -65,7 +65,7 @@ const PANEL: f64 = 330.0;
 /// Metres to millimetres.
 const MILLI: f64 = 1e3;
 
-/// Which of a law's runs a panel shows.
+/// Chooses the run of a law that a panel shows.
 type Pick = fn(&ModelErrorOfLaw) -> &ModelErrorRun;
 
 impl ModelError<'_> {

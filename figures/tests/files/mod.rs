@@ -11,7 +11,7 @@ pub(crate) fn png_header(path: &Path) -> Result<(u32, u32, usize), Box<dyn Error
     Ok((number(16)?, number(20)?, bytes.len()))
 }
 
-/// Whether every tag of a document without comments is closed, in order, and no bare ampersand is left.
+/// True if every tag of a document without comments is closed, in order, and no bare ampersand is left.
 pub(crate) fn is_well_formed(xml: &str) -> bool {
     let mut open = Vec::new();
     for part in xml.split('<').skip(1) {

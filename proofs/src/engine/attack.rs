@@ -17,14 +17,14 @@ pub struct Attack {
     pub limit: Duration,
 }
 
-/// What an attack found.
+/// Findings of an attack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// The smallest margin met.
     pub margin: f64,
     /// The choices that give it, for [`Choices::replay`].
     pub choices: Vec<f64>,
-    /// What was violated, if anything was.
+    /// Description of the violation; `None` if the claim was kept.
     pub violation: Option<String>,
     /// Cases tried.
     pub tried: u64,

@@ -5,7 +5,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use super::{Choices, Engine, Stop};
 use crate::subject::Subject;
 
-/// What a campaign of random cases found.
+/// Findings of a campaign of random cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// Cases that met the hypotheses.
@@ -69,7 +69,7 @@ const PART: u64 = 4_096;
 
 /// Tries `cases` cases that meet the hypotheses, on all cores; the report does not depend on their number.
 ///
-/// Gives up, with fewer tried, once a hundred times as many cases have been skipped. `progress` is told now and then how many were tried.
+/// Gives up, with fewer tried, once a hundred times as many cases have been skipped. `progress` is called at times with the number tried.
 #[must_use]
 pub fn campaign(engine: &Engine, subject: Subject, seed: u64, cases: u64, mut progress: impl FnMut(u64)) -> Report {
     let mut report = Report::EMPTY;

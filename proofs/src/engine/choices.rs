@@ -23,7 +23,7 @@ impl Choices {
         Self { given: given.to_vec(), ..Self::random(0, 0) }
     }
 
-    /// What has been asked for so far.
+    /// Numbers that have been handed out so far.
     #[must_use]
     pub fn used(&self) -> &[f64] {
         &self.used

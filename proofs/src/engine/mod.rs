@@ -10,7 +10,7 @@ pub use choices::Choices;
 
 use crate::subject::Subject;
 
-/// Which code an engine puts to the test.
+/// Code that an engine puts to the test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum About {
     /// The explicit speed regulator, as [`Subject`] presents it: broken ones can take its place.
@@ -19,7 +19,7 @@ pub enum About {
     Other,
 }
 
-/// What one case needs, in rough terms: it decides how many cases are tried where time is short.
+/// Cost of one case, in rough terms: it decides how many cases are tried where time is short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cost {
     /// Microseconds.
@@ -33,13 +33,13 @@ pub enum Cost {
 /// The property test of a claim.
 #[derive(Clone, Copy, Debug)]
 pub struct Engine {
-    /// What holds, as the name of a test.
+    /// Property that holds, as the name of a test.
     pub name: &'static str,
     /// In what the margin is counted.
     pub unit: &'static str,
-    /// Which code is tested.
+    /// Code that is tested.
     pub about: About,
-    /// What a case costs.
+    /// Cost of a case.
     pub cost: Cost,
     /// Builds a case that meets the hypotheses and gives its margin: the bound, its slack for rounding included, less what was
     /// measured. Negative or NaN: the claim is violated. Infinite: held, and nothing was measured (claims that hold to the last bit).
@@ -47,7 +47,7 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// Whether a case violates the claim, and how.
+    /// Description of how a case violates the claim; `None` if it does not.
     #[must_use]
     pub fn violation(&self, choices: &mut Choices, subject: Subject) -> Option<String> {
         match (self.trial)(choices, subject) {
@@ -59,7 +59,7 @@ impl Engine {
     }
 }
 
-/// Why a case has no margin.
+/// Reason why a case has no margin.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stop {
     /// It does not meet the hypotheses, and does not count.

@@ -40,7 +40,7 @@ fn feedback_that_opposes_the_feedforward_leaves_the_band() -> Outcome {
     opposing_feedback_leaves_the_band(value("a")?, value("k")?, value("g")?, value("x")?, value("f")?)
 }
 
-/// What the band would be, and the shipped function's refusal to give it.
+/// Feedback faster than the filter leaves the band that the formula gives, and the shipped function refuses to give one.
 fn fast_feedback_leaves_the_band(a: f64, gain_step: f64, g: f64, x: f64, f: f64) -> Outcome {
     let [first, second] = ratios(a, gain_step, g, x, f)?;
     assert!(first <= 1.0 && second > 1.0 + a * g - gain_step + 0.05, "{first} {second}");

@@ -8,7 +8,7 @@ use slideway_proofs::path_gain::CLAIM;
 use crate::path_support::{APPROACH, CUTOFF, runs, settings};
 use crate::support::{Outcome, counterexample, holds, proven};
 
-/// What a unit gain pushes along a unit gradient, m: `α1² K`.
+/// Push of a unit gain along a unit gradient, m: `α1² K`.
 const UNIT: f64 = CUTOFF * CUTOFF * APPROACH;
 
 fn sum_law<const M: usize>(gain: f64, period: f64) -> PathSettings<M> {

@@ -49,7 +49,7 @@ fn without_the_reserve_a_drift_beats_the_push() -> Outcome {
     band_is_left_without_the_reserve_only(model.value("phi")?, model.value("D")?, model.value("band")?)
 }
 
-/// How far `φ` lies above the band, sample by sample: never beyond what the recovery leaves.
+/// Excess of `φ` over the band, sample by sample: never more than the recovery leaves of the excess before.
 struct Ledger<const M: usize> {
     beyond: [f64; M],
     amplitude: f64,

@@ -14,7 +14,7 @@ fn the_shipped_regulator_keeps_the_band_of_its_signals() -> Outcome {
     holds(&CLAIM)
 }
 
-/// What one joint with the limits -1 and 1 shows: the ratios, and the signals.
+/// Runs one joint with the limits -1 and 1 and gives its ratios and its signals.
 fn run<const K: usize>(
     a: f64,
     f0: f64,

@@ -22,7 +22,7 @@ const RELAPSE: u32 = 3;
 /// Steps at the most.
 const MOST: u32 = 100;
 
-/// Why the loop ended.
+/// Reason why the loop ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ending {
     /// The bounds met.

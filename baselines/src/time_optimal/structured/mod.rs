@@ -81,7 +81,7 @@ pub fn solve_structured(program: &PieceProgram, start: Start) -> SolverAnswer {
     }
 }
 
-/// What the steps begin with.
+/// Start of the steps.
 struct Beginning {
     /// The profile by which rows are chosen.
     profile: Vec<f64>,

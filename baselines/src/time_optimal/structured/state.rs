@@ -108,7 +108,7 @@ impl<'a> State<'a> {
         measure
     }
 
-    /// What belongs to one node alone: roots and caps.
+    /// Adds the terms of one node alone: roots and caps.
     fn nodes(&mut self, measure: &mut Measure) {
         // A given end keeps its place in the elimination: a pivot of 1 and a right-hand side of 0.
         for end in [0, self.x.len() - 1] {

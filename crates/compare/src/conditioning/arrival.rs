@@ -16,7 +16,7 @@ pub struct Arrival {
     /// Time from the reference's arrival until the point is as near to its end as [`Arrival::resolution_m`] allows, the reference at
     /// rest; null if it never is. Of the conditioner's forms alone.
     pub arrives_after_s: Option<f64>,
-    /// How much farther from the reference's end than the nearest allowed point counts as arrived, m.
+    /// Most that the point may be farther from the reference's end than the nearest allowed point and still count as arrived, m.
     pub resolution_m: f64,
     /// Time for which a trap held the point, s: the reference waited for it, or a constraint acted on it away from a reference that is
     /// allowed itself.
@@ -78,8 +78,8 @@ impl<'a> Goal<'a> {
     }
 }
 
-/// How far from the nearest allowed point the law itself keeps the point, m: its margins, and a full push of one sample, where a
-/// constraint is felt at all.
+/// Distance from the nearest allowed point at which the law itself keeps the point, m: its margins, and a full push of one sample, where
+/// a constraint is felt at all.
 fn stand_off(problem: &ConditioningProblem, method: PathMethod, end: &Motion<3>, nearest: &Projection<3>) -> f64 {
     let at = Motion { position: nearest.point, ..*end };
     let off = problem.constraints.iter().enumerate().filter_map(|(i, constraint)| {

@@ -98,7 +98,7 @@ impl ConditioningVerdict {
     }
 }
 
-/// How the constraints fared.
+/// Words on the constraints: kept or broken, and by how much.
 fn constraints_in_words(entry: &PathMethodSummary, constraints: &[String]) -> String {
     match worst(&entry.max_sigma_m) {
         Some((_, sigma)) if sigma <= 0.0 => format!(
@@ -111,7 +111,7 @@ fn constraints_in_words(entry: &PathMethodSummary, constraints: &[String]) -> St
     }
 }
 
-/// Whether and when reference and point arrived, and what a trap cost.
+/// Words on the arrival of reference and point, if and when, and on the cost of a trap.
 fn arrival_in_words(entry: &PathMethodSummary, arrival: &Arrival) -> String {
     let trapped = arrival.trapped_s;
     let mut words = match (entry.completed, arrival.arrives_after_s, arrival.end_distance_m) {

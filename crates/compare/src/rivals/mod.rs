@@ -38,7 +38,7 @@ fn empty(problem: &ConditioningProblem, method: PathMethod) -> ConditionedTrace 
 /// Where a method put the reference at one instant.
 struct Placed {
     motion: Motion<3>,
-    /// Whether `motion.velocity` means anything, so that `φ` does.
+    /// True if `motion.velocity` means anything, so that `φ` does.
     has_velocity: bool,
     phase: Phase,
 }

@@ -8,7 +8,7 @@ use slideway_conditioner::path::Motion;
 use slideway_conditioner::shapes::Side;
 use slideway_lab::conditioning::{ConditionedTrace, ConditioningProblem, NamedConstraint, PathMethod, Phase, Shape3};
 
-/// How the projections were found, and what that is worth.
+/// Way in which the projections were found, and their worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProjectionKind {
     /// A closed form for this very set: the nearest point of all.
@@ -36,7 +36,7 @@ impl ProjectionKind {
 pub struct ProjectedTrace {
     /// The points.
     pub trace: ConditionedTrace,
-    /// How they were found.
+    /// Way in which they were found.
     pub kind: ProjectionKind,
     /// Largest `distance - lower bound` over the points, m; for [`ProjectionKind::MultiStart`] the largest step a further
     /// descent would make.

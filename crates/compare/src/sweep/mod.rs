@@ -1,6 +1,6 @@
 //! Many runs, each told in a row of numbers: over seeds, over a grid of parameters, or both.
 //!
-//! What a run yields depends on its subject, its seed and nothing else, so any number of threads and any number of
+//! The row of a run depends on its subject, its seed and nothing else, so any number of threads and any number of
 //! interruptions give the same rows.
 
 mod columns;

@@ -1,12 +1,12 @@
 use serde::{Deserialize, Serialize};
 
-/// What one run of a sweep comes to.
+/// Row of one run of a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SweepRow {
     /// Number of the run in the plan, from 0.
     pub run: usize,
-    /// Whether the reference reached its end.
+    /// True if the reference reached its end.
     pub completed: bool,
     /// Constraints that were broken: `σ_i <= 0` did not hold at every sample. Always 0 for speed scenarios.
     pub broken: usize,
@@ -15,7 +15,7 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    /// Whether the run did not complete or broke a constraint.
+    /// True if the run did not complete or broke a constraint.
     #[must_use]
     pub fn failed(&self) -> bool {
         !self.completed || self.broken > 0

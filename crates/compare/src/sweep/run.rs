@@ -13,7 +13,7 @@ pub type RowSink<'a, E> = dyn Fn(&SweepRow) -> Result<(), E> + Sync + 'a;
 pub struct SweepRun {
     /// Its number.
     pub number: usize,
-    /// What runs.
+    /// Problem and method that are run.
     pub subject: Subject,
     /// Seed of the random walk and of the disturbances; the subject's own without it.
     pub seed: Option<u64>,
@@ -72,7 +72,7 @@ pub fn run_sweep<E: From<ThreadsError> + Send>(
     in_parallel(pending, jobs, one)
 }
 
-/// How many constraints did not hold at every sample; a NaN does not hold.
+/// Number of constraints that did not hold at every sample; a NaN does not hold.
 fn broken(trace: &ConditionedTrace) -> usize {
     let holds = |i: usize| trace.samples.iter().all(|s| s.sigma[i] <= 0.0);
     (0..trace.constraints.len()).filter(|&i| !holds(i)).count()

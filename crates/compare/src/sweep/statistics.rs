@@ -3,7 +3,7 @@ use serde::{Deserialize, Serialize};
 /// Median, 95th percentile and maximum of the values that exist.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {
-    /// How many values there are: runs without the value, such as the escape time of a run that met no trap, do not count.
+    /// Number of values: runs without the value, such as the escape time of a run that met no trap, do not count.
     pub count: usize,
     /// [`quantile`] at 0.5; null without values.
     pub median: Option<f64>,

@@ -3,12 +3,12 @@ use super::statistics::Statistics;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What some runs come to.
+/// Totals of some runs of a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepTotals {
-    /// How many.
+    /// Number of runs.
     pub runs: usize,
-    /// Which of them failed.
+    /// Runs among them that failed.
     pub failures: Failures,
     /// Median, 95th percentile and maximum of every column of the rows.
     pub columns: BTreeMap<String, Statistics>,
@@ -17,7 +17,7 @@ pub struct SweepTotals {
 /// Runs that did not complete or broke a constraint.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Failures {
-    /// How many; a run that did both counts once.
+    /// Number of runs that failed; a run that did both counts once.
     pub total: usize,
     /// Runs whose reference did not reach its end.
     pub not_completed: usize,

@@ -1,6 +1,6 @@
 use thiserror::Error;
 
-/// Why there is no curve through given way-points. Way-points are counted from 0.
+/// Reason why there is no curve through given way-points. Way-points are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CurveError {
@@ -113,7 +113,7 @@ impl CurveError {
         }
     }
 
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> &'static str {
         match self {

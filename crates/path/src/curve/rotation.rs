@@ -23,7 +23,7 @@ pub struct RotationWaypoints {
     rotations: Vec<UnitQuaternion<f64>>,
 }
 
-/// How near to half a turn neighbours may come, rad: an angle typed to three decimals does not say which way is meant.
+/// Least angle by which neighbours must stay below half a turn, rad: an angle typed to three decimals does not say which way is meant.
 const HALF_TURN_MARGIN: f64 = 1e-3;
 
 /// Departure of a quaternion's length from 1 that is taken for rounding: six decimals.

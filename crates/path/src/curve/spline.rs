@@ -2,7 +2,7 @@ use super::error::CurveError;
 use super::waypoints::{Waypoints, segment};
 use nalgebra::SVector;
 
-/// What a spline does at its two ends, besides passing through them.
+/// End conditions of a spline, besides passing through its first and last way-point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum SplineEnds<const D: usize> {
     /// No second derivative.

@@ -2,7 +2,7 @@ use super::error::CurveError;
 use nalgebra::SVector;
 use std::ops::Range;
 
-/// How path parameters are given to way-points.
+/// Rule by which way-points are given path parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Spacing {
     /// Equal steps.

@@ -11,7 +11,7 @@ use literal::Literal;
 use powers::in_parentheses;
 use thiserror::Error;
 
-/// Why a formula was refused.
+/// Reason why a formula was refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum FormulaError {
     /// It does not parse.
@@ -19,7 +19,7 @@ pub enum FormulaError {
     Syntax {
         /// The formula.
         text: String,
-        /// What the parser says.
+        /// Message of the parser.
         reason: String,
     },
     /// It uses a name that is neither the variable nor `pi`.
@@ -29,7 +29,7 @@ pub enum FormulaError {
         text: String,
         /// The name.
         name: String,
-        /// What may be used.
+        /// Names that may be used.
         known: String,
     },
     /// It is longer or more deeply nested than any formula is meant to be.
@@ -51,7 +51,7 @@ pub enum FormulaError {
 }
 
 impl FormulaError {
-    /// What to do about it, in one sentence.
+    /// Remedy, in one sentence.
     #[must_use]
     pub fn remedy(&self) -> String {
         match self {

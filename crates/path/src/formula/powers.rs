@@ -9,7 +9,7 @@ use exmex::{MakeOperators, MatchLiteral};
 
 /// A piece of a formula between two parentheses.
 enum Item {
-    /// What a power can be of: a number, a name, something in parentheses, a function of such.
+    /// An operand that can be raised to a power: a number, a name, something in parentheses, a function of such.
     Operand(String),
     /// A function that waits for its operand.
     Function(String),
@@ -180,7 +180,7 @@ mod tests {
         size: f64,
     }
 
-    /// What is made of one or two others.
+    /// A formula made of one or two others, with the value meant.
     fn made(text: String, binds: u8, value: f64, of: [&Meant; 2]) -> Meant {
         let size = value.abs().max(of[0].size).max(of[1].size);
         Meant { text, binds, value, size: if value.is_finite() { size } else { f64::INFINITY } }

@@ -28,7 +28,7 @@ pub struct Piece<const N: usize> {
     end: f64,
 }
 
-/// What happens along a piece.
+/// Motion along a piece, with the data to evaluate it.
 #[derive(Clone, Debug)]
 pub enum PieceKind<const N: usize> {
     /// The tool follows the path; `s` is the path parameter. Configurations found while tracing, dense enough to start
@@ -40,7 +40,7 @@ pub enum PieceKind<const N: usize> {
         at: Vec<f64>,
         /// Configurations there.
         q: Vec<JointVector<N>>,
-        /// How far from its ends the piece is evaluated: at a singular end the derivatives exist as limits only.
+        /// Least distance in `s` from the piece's ends at which it is evaluated: at a singular end the derivatives exist as limits only.
         inset: f64,
     },
     /// The joints follow a path of their own; `s` is the path parameter. Configurations along it, for the grid's density.
@@ -163,7 +163,7 @@ impl<const N: usize> Piece<N> {
         self.end
     }
 
-    /// What happens along it.
+    /// Kind of motion along it.
     #[must_use]
     pub fn kind(&self) -> &PieceKind<N> {
         &self.kind

@@ -28,7 +28,7 @@ pub struct SampledPiece {
     pub nodes: Vec<PathSample>,
     /// Samples strictly between the nodes, `between[k]` in the interval after node `k`.
     pub between: Vec<Vec<PathSample>>,
-    /// Whether the tool stands still along the piece.
+    /// True if the tool stands still along the piece.
     pub is_self_motion: bool,
     /// Path rate at the first node.
     pub start: EndRate,
@@ -136,7 +136,7 @@ impl SampledPath {
         path
     }
 
-    /// Whether a limit depends on the acceleration along a piece.
+    /// True if a limit depends on the acceleration along a piece.
     #[must_use]
     pub fn limits_acceleration(&self, piece: &SampledPiece) -> bool {
         self.acceleration.is_some() || piece.nodes.iter().any(|node| !node.limits.is_empty())

@@ -11,7 +11,7 @@ const MAX_STEP: f64 = 0.02;
 const MIN_STEPS: f64 = 400.0;
 /// Steps below this share of a stretch mean that the joint path breaks.
 pub(crate) const SMALLEST: f64 = 1e-9;
-/// How far beyond a break the continuation is looked for, and how far from a singular end derivatives are taken, as a share
+/// Distance beyond a break at which the continuation is looked for, and from a singular end at which derivatives are taken, as a share
 /// of the stretch.
 pub(crate) const BEYOND: f64 = 1e-6;
 /// Ratio of the singular values below which a configuration counts as singular.
@@ -23,7 +23,7 @@ pub(crate) struct Followed<const N: usize> {
     pub(crate) at: Vec<f64>,
     /// Configurations there.
     pub(crate) q: Vec<JointVector<N>>,
-    /// Why it ended before its time.
+    /// Error that ended it early.
     pub(crate) failure: Option<RobotError>,
 }
 
@@ -155,8 +155,8 @@ pub(crate) fn self_motion<const N: usize>(
     })
 }
 
-/// Whether the tool keeps its place while the joints go straight from one configuration to the other: within 10 µm and
-/// 10 µrad plus what the path itself moves over the share [`BEYOND`].
+/// True if the tool keeps its place while the joints go straight from one configuration to the other: within 10 µm and 10 µrad plus what
+/// the path itself moves over the share [`BEYOND`].
 fn stands_still<const N: usize>(
     problem: &PathProblem<N>,
     tool: &ToolReference,

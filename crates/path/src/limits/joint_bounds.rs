@@ -43,9 +43,9 @@ pub enum BoundSigns {
 pub struct BoundError {
     /// The joint, counted from 0.
     pub joint: usize,
-    /// Which of its bounds.
+    /// The bound of the joint: lower or upper.
     pub side: BoundSide,
-    /// What is wrong with it.
+    /// Fault of the bound.
     pub fault: Fault,
 }
 
@@ -115,7 +115,7 @@ impl<const N: usize> JointBounds<N> {
         }
     }
 
-    /// Whether any bound varies along the path.
+    /// True if any bound varies along the path.
     #[must_use]
     pub fn vary(&self) -> bool {
         self.lower.iter().chain(&self.upper).any(|bound| matches!(bound, Bound::Along(_)))

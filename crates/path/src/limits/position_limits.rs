@@ -1,12 +1,12 @@
 use serde::{Deserialize, Serialize};
 use slideway_robot::PositionRanges;
 
-/// How far the joints may go.
+/// Position limits of the joints, and their origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionLimits<const N: usize> {
     /// Ranges, rad (m); `None` where a joint has none.
     pub ranges: PositionRanges<N>,
-    /// Who gives them.
+    /// Origin of the ranges.
     pub source: PositionSource,
 }
 

@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// What a limit is on.
+/// Quantity that a limit is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LimitKind {
@@ -39,7 +39,7 @@ impl fmt::Display for LimitKind {
 /// infinite, and vary along the path. Units are those of the limited quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearLimit {
-    /// What is limited.
+    /// Quantity that is limited.
     pub kind: LimitKind,
     /// Joint, or side of a tool limit's polygon, counted from 0.
     pub index: usize,
@@ -47,7 +47,7 @@ pub struct LinearLimit {
     pub acceleration: f64,
     /// Coefficient of `ṡ²`.
     pub square: f64,
-    /// What remains at rest: gravity, Coulomb friction.
+    /// Value at rest: gravity, Coulomb friction.
     pub offset: f64,
     /// Lower bound.
     pub lower: f64,
@@ -152,7 +152,7 @@ fn side_direction(side: usize, pairs: usize) -> (f64, f64) {
 /// A bound on the path rate at one point of the path: `ṡ <= rate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedLimit {
-    /// What is limited.
+    /// Quantity that is limited.
     pub kind: LimitKind,
     /// Joint, counted from 0; 0 for the tool.
     pub index: usize,

@@ -9,7 +9,7 @@ pub struct JointCurve<const N: usize> {
     shape: Shape<N>,
 }
 
-/// How the configurations are joined.
+/// Curve that joins the configurations.
 #[derive(Clone, Debug)]
 enum Shape<const N: usize> {
     Line { from: JointVector<N>, rate: JointVector<N> },

@@ -16,9 +16,9 @@ pub enum Reference<const N: usize> {
 pub struct ToolReference {
     /// The path.
     pub path: CartesianPath,
-    /// Which tool coordinates the path prescribes.
+    /// Tool coordinates that the path prescribes.
     pub task: Task,
-    /// How a tool twist becomes joint speeds in the controller.
+    /// Inverse by which the controller turns a tool twist into joint speeds.
     pub inverse: InverseMethod,
 }
 

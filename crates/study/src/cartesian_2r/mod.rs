@@ -32,8 +32,8 @@ const COMMANDS: [Command; 8] = [
 ];
 /// Number of random sequences and of commands in each.
 const RANDOM: [usize; 2] = [100, 8];
-/// What a set-point may be beyond a range, rad: what can hide between two looks 1 mm apart. A range's border is a circle of 0.2 m or
-/// more about the base or a curve no sharper; its sagitta is `LOOK² / (8 · 0.2) = 6.3e-7 m`, and the elbow turns by at most
+/// Most that a set-point may be out of a joint's range, rad: the excess that two looks 1 mm apart can miss. A range's border is a circle
+/// of 0.2 m or more about the base or a curve no sharper; its sagitta is `LOOK² / (8 · 0.2) = 6.3e-7 m`, and the elbow turns by at most
 /// `1 / (0.4 sin 0.3) = 8.5 rad` a metre there.
 const HIDDEN: f64 = 6e-6;
 
@@ -44,7 +44,7 @@ struct Run {
     joints: [Vec<[f64; 2]>; 2],
     /// Largest distance of the tool from its set-point, m.
     error: f64,
-    /// How long the tool was held up, s.
+    /// Time for which the tool was held up, s.
     stopped: f64,
     beyond: f64,
 }
@@ -88,7 +88,7 @@ fn arm() -> Result<Dynamics<2>, MotionError> {
     Ok(Dynamics::new(arm, [rod(4.0, LINKS[0]), rod(2.0, LINKS[1])])?)
 }
 
-/// How far a joint is outside its range, rad; negative inside, infinite where there are no joints.
+/// Largest excess of a joint over its range, rad; negative inside, infinite where there are no joints.
 fn outside(place: &Vector2<f64>) -> f64 {
     let Some(q) = joints_at(place) else { return f64::INFINITY };
     let beyond = |q: f64, [lower, upper]: [f64; 2]| (lower - q).max(q - upper);
@@ -144,7 +144,7 @@ fn asked_path() -> Vec<[f64; 2]> {
     path
 }
 
-/// How far a set-point of random commands gets out of a range at most, rad.
+/// Largest excess over a joint's range that set-points of random commands reach, rad.
 fn random_sequences(seed: u64) -> f64 {
     let mut random = XorShiftRng::seed_from_u64(seed);
     let mut farthest = f64::NEG_INFINITY;

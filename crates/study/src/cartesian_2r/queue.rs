@@ -31,7 +31,7 @@ pub(super) fn joints_at(place: &Vector2<f64>) -> Option<Vector2<f64>> {
     Some(Vector2::new(shoulder, elbow))
 }
 
-/// Whether both joints are in their ranges at a place, and which is not.
+/// True if the tool can be at a place with both joints in their ranges.
 pub(super) fn is_allowed(place: &Vector2<f64>) -> bool {
     joints_at(place).is_some_and(|q| q[0] >= SHOULDER[0] && q[0] <= SHOULDER[1] && q[1] >= ELBOW[0] && q[1] <= ELBOW[1])
 }
@@ -82,7 +82,7 @@ impl VelocityQueue {
         speed.min((change * change + 2.0 * a * free).sqrt() - change)
     }
 
-    /// How far the line is allowed, at most `far`.
+    /// Length of the line from the tool's place on which it is allowed to be, m; at most `far`.
     fn free(&self, direction: &Vector2<f64>, far: f64) -> f64 {
         let is_allowed_at = |x: f64| is_allowed(&(self.place + direction * x));
         let steps = (far / LOOK).ceil().max(1.0) as u32;

@@ -115,7 +115,7 @@ impl Loop {
     }
 }
 
-/// Whether the arm, held where it is for 0.7 s, is given steady torques at the end.
+/// True if the arm, held where it is for 0.7 s, is given steady torques at the end.
 fn is_steady(arm: &Dynamics<6>, gain: f64) -> Result<bool, MotionError> {
     let mut control = Loop::new(arm, gain)?;
     let (mut lowest, mut highest) = (JointVector::from(LARGEST), -JointVector::from(LARGEST));

@@ -26,12 +26,12 @@ const PUSH: [f64; 3] = [12.0, 16.0, 0.0];
 const PUSHED: [f64; 2] = [0.5, 0.8];
 const DURATION: f64 = 2.0;
 
-/// What one law made of one task.
+/// Course of the tool in one task under one law.
 struct Run {
     law: Law,
     /// Time (s), way gone and distance from the line (mm).
     trace: Vec<[f64; 3]>,
-    /// Where the tool was in the end, from its goal, mm.
+    /// Distance of the tool from its goal at the end, mm.
     left: f64,
 }
 

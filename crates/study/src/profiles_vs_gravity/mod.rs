@@ -19,7 +19,7 @@ use slideway_robot::JointVector;
 const MOTION: f64 = 1.5;
 const SETTLING: f64 = 4.0;
 const HOLDING: f64 = 3.0;
-/// How far each joint moves, rad.
+/// Way of each joint, rad.
 const WAY: [f64; 6] = [0.5, 0.9, -0.6, 0.4, 0.4, 0.4];
 /// Within this distance of its goal a joint has arrived, rad.
 const ARRIVED: f64 = 2e-3;

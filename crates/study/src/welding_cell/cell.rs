@@ -7,12 +7,12 @@ use slideway_robot::{JointVector, SerialArm, models};
 
 /// Sampling period, s.
 const PERIOD: f64 = 1e-3;
-/// How long the arm waits after the brake, s.
+/// Time for which the arm waits after the brake, s.
 const PAUSE: f64 = 0.3;
 /// After this long every run has to be over, s.
 const PATIENCE: f64 = 30.0;
 
-/// What happens on the seam.
+/// Interruption of the motion along the seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Interruption {
     None,
@@ -20,7 +20,7 @@ pub(super) enum Interruption {
     HalfWay,
 }
 
-/// What one run of the cell gave.
+/// Measurements of one run of the cell.
 #[derive(Default)]
 pub(super) struct CellRun {
     /// From the beginning of the seam to its end, pauses included, s.
@@ -34,7 +34,7 @@ pub(super) struct CellRun {
     /// Largest joint speed, and largest change of one over a sample, as shares of their limits.
     pub(super) limit_use: f64,
     pub(super) ends_at_home: bool,
-    /// Whether the seam was paused once, and only where it was asked for.
+    /// True if the seam was paused exactly once.
     pub(super) pauses_once: bool,
     /// Rate of the seam over its share.
     pub(super) rates: Vec<[f64; 2]>,

@@ -4,7 +4,7 @@
 //! sliding-mode regulation and under natural motion, each once without and once with an interruption: half-way along the seam a
 //! brake on the path is asked for, and after a pause the motion is taken up again.
 //!
-//! What the seam takes is compared with the certified time optimum of the same curve under the same limits of joint speed and
+//! The time along the seam is compared with the certified time optimum of the same curve under the same limits of joint speed and
 //! acceleration. The path error is that of the tool at the set-points *and half-way between two of them*, where drives that
 //! interpolate linearly put the joints.
 
@@ -17,11 +17,11 @@ use cell::{CellRun, Interruption, play};
 use seam::Law;
 use slideway_baselines::time_optimal::TimeOptimum;
 
-/// How much longer than the optimum the seam may take under sliding mode.
+/// Most that the seam may take under sliding mode, as a multiple of the optimum's time.
 const SLOWER: f64 = 1.03;
 /// Rounding of a joint speed over a sample, as a share of what may be added to it in one.
 const ROUNDING: f64 = 1e-9;
-/// How far from the seam the tool may be, m.
+/// Most that the tool may be off the seam, m.
 const OFF_SEAM: f64 = 1e-4;
 
 /// Both runs under one law.
@@ -59,7 +59,7 @@ fn holds(pairs: &[Pair; 2], optimum: &TimeOptimum) -> bool {
 }
 
 impl Pair {
-    /// What the seam takes over the proven lower bound of the optimum.
+    /// Time along the seam over the proven lower bound of the optimum.
     fn ratio(&self, optimum: &TimeOptimum) -> f64 {
         self.straight.seam_time / optimum.lower_s
     }

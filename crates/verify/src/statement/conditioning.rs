@@ -24,7 +24,7 @@ pub(crate) struct ConditioningCase {
     measured: Measured,
 }
 
-/// What a run measured of the quantities that the guarantees are about, m.
+/// Measured values of the quantities that the guarantees bound, from one run, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Measured {
     phi: f64,
@@ -32,7 +32,7 @@ struct Measured {
     chattering: Option<f64>,
 }
 
-/// Whether a run gave out a position again.
+/// True if a run gave out its last position again at some sample.
 pub(super) fn any_held(trace: &ConditionedTrace) -> bool {
     trace.samples.iter().any(|sample| sample.phase == Phase::Held)
 }
@@ -50,7 +50,7 @@ fn measured(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Measured
 }
 
 impl Statement {
-    /// What is guaranteed of a conditioning scenario, for the sliding mode or another form of the conditioner.
+    /// States the guarantees of a conditioning scenario, for the sliding mode or another form of the conditioner.
     ///
     /// Runs the scenario once without disturbances.
     ///
@@ -73,12 +73,12 @@ impl ConditioningCase {
         Ok(Self { problem, method, trace, nominal, measured })
     }
 
-    /// What the run showed.
+    /// Signals of the run without disturbances.
     pub(crate) fn nominal(&self) -> &ContactSignals {
         &self.nominal
     }
 
-    /// Whether the reference reached its end.
+    /// True if the reference reached its end.
     pub(crate) fn completed(&self) -> bool {
         self.trace.finish_s.is_some()
     }
@@ -107,7 +107,7 @@ impl ConditioningCase {
         Ok(statement.keep_what_holds())
     }
 
-    /// Whether the margin is that of the band, which follows the gradients.
+    /// True if the margin is that of the band, which follows the gradients.
     fn band(&self) -> bool {
         self.method == PathMethod::SlidingMode && self.problem.margin == MarginChoice::Band
     }
@@ -116,7 +116,7 @@ impl ConditioningCase {
         recovery_rate(&self.problem, self.method)
     }
 
-    /// What the numbers are stated for: those of the run with room.
+    /// Signals that the bounds are stated for: those of the run with room.
     fn declared(&self) -> ContactSignals {
         let n = &self.nominal;
         ContactSignals {
@@ -294,7 +294,7 @@ impl ConditioningCase {
     }
 }
 
-/// What a run shows, in the terms of the statement.
+/// Reads a run in the terms of the statement: its hypotheses and its guarantees, by name.
 pub(crate) fn observed(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Observed {
     let (signals, measured) = (ContactSignals::of(problem, trace), measured(problem, trace));
     let hypotheses = [

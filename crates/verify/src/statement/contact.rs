@@ -1,4 +1,4 @@
-//! What one run of the path conditioner showed beside its constraints.
+//! Signals of one run of the path conditioner beside its constraints.
 
 use super::recovery::{full_push, margin};
 use slideway_conditioner::path::{Constraint, Motion, Reserve, bounds};

@@ -1,8 +1,8 @@
-//! How entries of a statement are made.
+//! Entries of a statement: their making, and the rounding of their numbers.
 
 use super::{Guarantee, Hypothesis, Relation};
 
-/// Room that every number read off the run without disturbances is given, as a share: what the bounds are stated for.
+/// Room that every number read off the run without disturbances is given, as a share. The bounds are stated for the numbers with room.
 pub(crate) const ROOM: f64 = 0.25;
 
 /// A number with room.

@@ -1,4 +1,4 @@
-//! What is stated of a scenario before any trial, and what a run shows of it.
+//! Statements: hypotheses and guarantees of a scenario before any trial, and readings of a run to hold against them.
 
 mod conditioning;
 mod contact;
@@ -23,17 +23,17 @@ pub(crate) use speed::SpeedCase;
 
 use serde::{Deserialize, Serialize};
 
-/// How a value has to stand to the one that is needed.
+/// Relation of a value to the one that is needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Relation {
-    /// The value must be at least what is needed.
+    /// The value must be at least the one that is needed.
     AtLeast,
-    /// The value must be at most what is needed.
+    /// The value must be at most the one that is needed.
     AtMost,
 }
 
-/// What a claim asks of the scenario.
+/// A condition that a claim sets on the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hypothesis {
     /// Name, kebab case, unique in the statement.
@@ -42,12 +42,12 @@ pub struct Hypothesis {
     pub claim: String,
     /// In plain words and symbols.
     pub text: String,
-    /// What the scenario has.
+    /// Value that the scenario has.
     #[serde(with = "crate::number")]
     pub value: f64,
-    /// How it has to stand to `needed`.
+    /// Relation that it must have to `needed`.
     pub relation: Relation,
-    /// What is needed.
+    /// Value that is needed.
     #[serde(with = "crate::number")]
     pub needed: f64,
     /// Unit of both.
@@ -57,13 +57,13 @@ pub struct Hypothesis {
 }
 
 impl Hypothesis {
-    /// Whether it holds; NaN does not.
+    /// True if it holds; NaN does not.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.holds_for(self.value)
     }
 
-    /// Whether it would hold with another value; NaN does not.
+    /// True if it would hold with another value; NaN does not.
     #[must_use]
     pub fn holds_for(&self, value: f64) -> bool {
         match self.relation {
@@ -83,7 +83,7 @@ impl Hypothesis {
     }
 }
 
-/// What follows from hypotheses that hold.
+/// A bound that follows from hypotheses that hold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Guarantee {
     /// Name, kebab case, unique in the statement.
@@ -108,35 +108,35 @@ pub struct Guarantee {
 }
 
 impl Guarantee {
-    /// Whether a value is inside; NaN is not.
+    /// True if a value is inside the bounds; NaN is not.
     #[must_use]
     pub fn contains(&self, value: f64) -> bool {
         self.lower.is_none_or(|lower| value >= lower) && self.upper.is_none_or(|upper| value <= upper)
     }
 }
 
-/// What is known of a scenario before any trial.
+/// Hypotheses and guarantees of a scenario, made before any trial.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Statement {
     /// The method it is about.
     pub method: String,
-    /// What the claims ask for, with what the scenario has.
+    /// Conditions of the claims, with the values that the scenario has.
     pub hypotheses: Vec<Hypothesis>,
-    /// What follows. A guarantee whose hypotheses fail is not in the list.
+    /// Bounds that follow. A guarantee whose hypotheses fail is not in the list.
     pub guarantees: Vec<Guarantee>,
-    /// What is not guaranteed, and how the numbers were found, in words.
+    /// Remarks in words: quantities without a guarantee, and the sources of the numbers.
     #[serde(default)]
     pub remarks: Vec<String>,
 }
 
 impl Statement {
-    /// Whether every hypothesis holds.
+    /// True if every hypothesis holds.
     #[must_use]
     pub fn accepts(&self) -> bool {
         self.hypotheses.iter().all(Hypothesis::holds)
     }
 
-    /// Whether every hypothesis holds and nothing measured is outside its guarantee.
+    /// True if every hypothesis holds and nothing measured is outside its guarantee.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.accepts() && self.violated().next().is_none()

@@ -13,7 +13,7 @@ pub struct Reading {
     pub value: f64,
 }
 
-/// What a run showed: the numbers of the hypotheses that are about a run, and of the guarantees.
+/// Readings of a run: the numbers of the hypotheses that are about a run, and of the guarantees.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observed {
     /// By hypothesis. Those about the scenario alone are not here: no run breaks them.

@@ -1,4 +1,4 @@
-//! How fast the limit drifts along a path, beside how fast the filter falls.
+//! Rate at which the limit drifts along a path, beside the rate at which the filter falls.
 
 use slideway_path::SampledPath;
 
@@ -7,14 +7,14 @@ use slideway_path::SampledPath;
 pub(crate) struct PathDrift {
     lambda: Vec<f64>,
     log: Vec<f64>,
-    /// Whether the joints turn somewhere while the tool stands: no finite drift describes that.
+    /// True if the joints turn somewhere while the tool stands: no finite drift describes that.
     breaks: bool,
 }
 
-/// What a path asks of the filter at a pace.
+/// Demands of a path on the filter at a pace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Asked {
-    /// `sup d ln b / dt`, 1/s: how fast the filter has to fall.
+    /// `sup d ln b / dt`, 1/s: the rate at which the filter has to fall.
     pub(crate) fall_rate: f64,
     /// `S`: the most that the drift gains on the filter over any stretch.
     pub(crate) surplus: f64,
@@ -38,7 +38,7 @@ impl PathDrift {
         self.lambda.len()
     }
 
-    /// Whether a stretch of the path cannot be followed at any pace.
+    /// True if a stretch of the path cannot be followed at any pace.
     pub(crate) fn breaks(&self) -> bool {
         self.breaks
     }
@@ -67,7 +67,7 @@ impl PathDrift {
         self.log.windows(2).map(|w| (w[1] - w[0]).abs()).sum()
     }
 
-    /// What the path asks at the rate `pace λ̇*`, of a filter that falls by `fall_rate` (1/s).
+    /// Demands of the path at the rate `pace λ̇*` on a filter that falls by `fall_rate` (1/s).
     ///
     /// Between two samples the reference needs at least `Δλ · slowness / pace`; the smaller slowness of the two counts. The surplus is
     /// the largest sum over neighbouring intervals of drift less fall, by one pass (Kadane).

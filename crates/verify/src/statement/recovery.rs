@@ -1,4 +1,4 @@
-//! How far `φ` is above its band, and the way back from outside.
+//! Excess of `φ` over its band, and the way back from outside.
 
 use super::Guarantee;
 use super::conditioning::ConditioningCase;
@@ -10,16 +10,16 @@ use slideway_lab::conditioning::{
     run_conditioner,
 };
 
-/// How far outside the recovery is stated from, m.
+/// Distance outside a boundary from which the recovery is stated, m.
 const OUTSIDE: f64 = 0.01;
 
-/// What the smallest push leaves of a violated limit: 1e-12 of positions and velocities of up to 10, as in the claims, m.
+/// Rest of a violated limit after the smallest push: 1e-12 of positions and velocities of up to 10, as in the claims, m.
 pub(crate) const PUSH_ROUNDING: f64 = 1e-11;
 
 /// Steps of Newton's method to a place at a distance from a boundary; shapes whose `σ` is a length take one or two.
 const NEWTON_STEPS: usize = 50;
 
-/// How fast `φ` is brought back to its band, m/s; `None` for a form that does not promise to.
+/// Rate at which `φ` is brought back to its band, m/s; `None` for a form that does not promise to.
 pub(crate) fn recovery_rate(problem: &ConditioningProblem, method: PathMethod) -> Option<f64> {
     match (method, problem.reserve) {
         (PathMethod::SlidingModeImplicit, _) => Some(problem.recovery_rate),
@@ -69,8 +69,8 @@ pub(super) fn full_push(problem: &ConditioningProblem, index: usize, sample: &Co
     bounds::push_per_sample(problem.sampling_period, cutoff, approach) * longest * sample.gradient[index]
 }
 
-/// Counted time until no constraint is above its band any more, s. `None` for a run that starts inside every band, or farther outside than
-/// the statement is for, and of a form that does not promise to come back.
+/// Counted time after which every constraint stays in its band, s. `None` for a run that starts inside every band, or farther outside
+/// than the statement is for, and of a form that does not promise to come back.
 #[allow(clippy::cast_precision_loss)]
 pub(crate) fn recovered(problem: &ConditioningProblem, trace: &ConditionedTrace) -> Option<f64> {
     recovery_rate(problem, trace.method)?;

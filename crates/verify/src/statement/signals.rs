@@ -1,4 +1,4 @@
-//! What one run of a speed law showed: the signals that the claims ask about, and the quantities that they bound.
+//! Readings of one run of a speed law: the signals that the claims set conditions on, and the quantities that they bound.
 
 use super::path_drift::PathDrift;
 use slideway_conditioner::SpeedLimits;
@@ -9,7 +9,7 @@ use slideway_path::SampledPath;
 /// Below this use of the limits the feedback counts as settled.
 pub(crate) const SETTLED: f64 = 0.05;
 
-/// What a run showed of the signals that the hypotheses are about.
+/// Signals of a run that the hypotheses are about.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SpeedSignals {
     /// From the first released sample on.
@@ -18,7 +18,7 @@ pub(crate) struct SpeedSignals {
     pub(crate) settled: Option<Signals>,
     /// `E` while the reference moves.
     pub(crate) feedback: f64,
-    /// What the travel time depends on, summed over the samples in which the reference moves.
+    /// Sums on which the travel time depends, over the samples in which the reference moves.
     pub(crate) sums: ProgressSums,
     /// Distance from the path's end once the reference is there, in tolerances of arrival.
     pub(crate) trail: f64,
@@ -26,7 +26,7 @@ pub(crate) struct SpeedSignals {
     pub(crate) contraction: f64,
 }
 
-/// What a run measured of the quantities that the guarantees are about. `None` where there was nothing to measure.
+/// Measured values of the quantities that the guarantees bound, from one run. `None` where there was nothing to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SpeedMeasures {
     /// Largest use of a limit by the commanded speed.
@@ -54,7 +54,7 @@ pub(crate) struct Loop {
     pub(crate) drift: PathDrift,
     /// Certified optimum under the speed limits alone, s: the profile's time, and its bounds.
     pub(crate) optimum: [f64; 3],
-    /// Whether arrival is judged by the joints.
+    /// True if arrival is judged by the joints.
     pub(crate) by_joints: bool,
 }
 

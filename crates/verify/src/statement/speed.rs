@@ -11,7 +11,7 @@ use slideway_conditioner::bounds::Signals;
 use slideway_lab::{Experiment, Method, Trace};
 use slideway_path::SampledPath;
 
-/// What a statement about a speed law rests on, as numbers.
+/// Numbers that a statement about a speed law rests on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SpeedNumbers {
     /// Certified optimum under the speed limits alone, s.
@@ -43,12 +43,12 @@ pub(crate) struct SpeedCase {
     pace: f64,
     pub(crate) nominal: SpeedSignals,
     pub(crate) measures: SpeedMeasures,
-    /// What the bounds are stated for.
+    /// Signals that the bounds are stated for.
     pub(crate) declared: SpeedSignals,
     pub(crate) optimum: [f64; 2],
     pub(crate) acceleration: Option<Vec<f64>>,
     pub(crate) peak_acceleration: Vec<f64>,
-    /// Whether speed limits hold at some places only, or limit the tool: the law's own bounds know nothing of them.
+    /// True if speed limits hold at some places only, or limit the tool: the law's own bounds know nothing of them.
     pub(crate) varying: bool,
 }
 
@@ -91,7 +91,7 @@ impl SpeedCase {
     }
 }
 
-/// Whether speed limits hold at some places only, or limit the tool: then the regulator's filter does not see what bounds the rate.
+/// True if speed limits hold at some places only, or limit the tool: then the regulator's filter does not see what bounds the rate.
 fn limits_vary(path: &SampledPath) -> bool {
     path.pieces.iter().flat_map(|piece| &piece.nodes).any(|node| !node.speeds.is_empty())
 }
@@ -137,7 +137,7 @@ fn pace(looked: &Loop, nominal: &SpeedSignals) -> (f64, Asked) {
 }
 
 impl Statement {
-    /// What is guaranteed of a speed law on a path.
+    /// States the guarantees of a speed law on a path.
     ///
     /// Runs the experiment once; solves for the certified optimum under the speed limits on a grid of so many points.
     ///
@@ -150,7 +150,7 @@ impl Statement {
 }
 
 impl SpeedCase {
-    /// How much of the chattering's bound a unit of the filter step makes: the overspeed, with its room.
+    /// Chattering's bound per unit of the filter step: the overspeed, with its room.
     pub(crate) fn chattering_per_step(&self) -> f64 {
         self.declared.whole.overspeed
     }

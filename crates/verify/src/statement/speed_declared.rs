@@ -1,4 +1,4 @@
-//! What the bounds about a speed law are stated for.
+//! Signals that the bounds of a speed law are stated for.
 
 use super::entry::room;
 use super::path_drift::Asked;

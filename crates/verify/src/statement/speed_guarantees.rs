@@ -1,4 +1,4 @@
-//! What a statement about a speed law guarantees.
+//! Guarantees of a statement about a speed law.
 
 use super::Guarantee;
 use super::speed::{SpeedCase, asymmetry, chattering};

@@ -1,4 +1,4 @@
-//! What a statement about a speed law asks for.
+//! Hypotheses of a statement about a speed law.
 
 use super::entry::{ROOM, failing, shown_down, shown_up};
 use super::speed::{SpeedCase, chattering};
@@ -35,7 +35,7 @@ impl SpeedCase {
         list
     }
 
-    /// Those about the scenario's settings.
+    /// Hypotheses about the scenario's settings.
     fn settings(&self) -> Vec<Hypothesis> {
         let control = &self.looked.control;
         let period = control.sampling_period;
@@ -66,7 +66,7 @@ impl SpeedCase {
         format!("`control.bandwidth`: at least {}", shown_up(step / period))
     }
 
-    /// Those about the band and the changes of the demand.
+    /// Hypotheses about the band and the changes of the demand.
     fn bands(&self) -> Vec<Hypothesis> {
         let (seen, stated, a) = (&self.nominal, &self.declared, self.looked.step());
         let mut list = if self.implicit() {
@@ -85,7 +85,7 @@ impl SpeedCase {
         list
     }
 
-    /// Those on which the travel time depends.
+    /// Hypotheses on which the travel time depends.
     fn motion(&self) -> Vec<Hypothesis> {
         let (seen, stated) = (&self.nominal, &self.declared);
         let period = self.looked.control.sampling_period;

@@ -6,7 +6,7 @@ use super::speed::chattering;
 use super::speed_words::TIMES;
 use slideway_conditioner::bounds::Signals;
 
-/// What a run shows, in the terms of the statement.
+/// Reads a run in the terms of the statement: its hypotheses and its guarantees, by name.
 pub(crate) fn observed(signals: &SpeedSignals, measures: &SpeedMeasures, looked: &Loop) -> Observed {
     let a = looked.step();
     let mut hypotheses = vec![

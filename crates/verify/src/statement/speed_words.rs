@@ -1,4 +1,4 @@
-//! What the entries of a statement about a speed law are called and say.
+//! Names and texts of the entries of a statement about a speed law.
 
 use slideway_conditioner::bounds::ProgressSums;
 
@@ -22,7 +22,7 @@ pub(crate) const TIMES: [(&str, Sum); 4] = [
 
 const SETTLED: &str = "the same once the feedback uses at most 5 % of the limits";
 
-/// What an entry says.
+/// Claim, text and unit of the entry of that name.
 pub(crate) fn words(name: &str) -> Words {
     let time = "time-with-feedback";
     let (claim, text, unit) = match name {

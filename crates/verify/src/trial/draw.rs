@@ -16,7 +16,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Whether a trial has it.
+    /// True if a trial has a disturbance of this kind.
     pub(crate) fn is_in(self, disturbances: &TrialDisturbances) -> bool {
         match self {
             Self::InitialError => disturbances.initial_error.is_some(),

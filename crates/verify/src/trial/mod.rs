@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 pub struct Check {
     /// Name of the guarantee.
     pub guarantee: String,
-    /// What was measured. The largest number there is stands for what has none: NaN, or the arrival of a robot that never arrived.
+    /// Measured value. The largest number there is stands for NaN, and for the arrival of a robot that never arrived.
     #[serde(with = "crate::number")]
     pub measured: f64,
     /// The bound that it came nearest to, or exceeded.
@@ -30,7 +30,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Whether the guarantee was kept.
+    /// True if the guarantee was kept.
     #[must_use]
     pub fn kept(&self) -> bool {
         self.margin >= 0.0
@@ -78,7 +78,7 @@ impl Check {
     }
 }
 
-/// What came of one trial.
+/// Outcome of one trial.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// Number in the campaign, from 0.
@@ -96,7 +96,7 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// Whether every guarantee checked was kept.
+    /// True if every guarantee checked was kept.
     #[must_use]
     pub fn kept(&self) -> bool {
         self.checks.iter().all(Check::kept)
@@ -109,7 +109,7 @@ impl Trial {
     }
 }
 
-/// What a run came to beside a statement.
+/// Judgement of a run beside a statement.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Judgement {
     pub(crate) outside: Vec<String>,

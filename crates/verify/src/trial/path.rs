@@ -28,8 +28,8 @@ const COUNTED: &str = "period-as-counted";
 const IN_TIME: &str = "constraints-seen-in-time";
 /// A start that the initial error put outside, or above the bound itself.
 const START: &str = "start-inside";
-/// What noise does to a bound is derived for the bands of `φ` and `σ`, and for the change of `φ` without a reserve, which noise does not
-/// enter; not where the reserve answers to noise.
+/// Noise: its effect on a bound is derived for the bands of `φ` and `σ`, and for the change of `φ` without a reserve, which noise
+/// does not enter; not where the reserve answers to noise.
 const EXACT: &str = "distances-as-they-are";
 
 /// A conditioning scenario and one form of the conditioner, made ready to be run again and again.
@@ -106,7 +106,7 @@ impl PathSubject {
         Ok(Judgement { outside, checks })
     }
 
-    /// What a guarantee takes for granted and disturbances take away. `start` is the largest of `σ` and `φ` at the first sample.
+    /// Name of an assumption of a guarantee that the disturbances break, if any. `start` is the largest of `σ` and `φ` at the first sample.
     fn loses(&self, guarantee: &Guarantee, disturbances: &PathDisturbances, start: f64) -> Option<&'static str> {
         if guarantee.name == "recovery" {
             // It is about what was seen, in counted samples, from outside.
@@ -134,8 +134,8 @@ impl PathSubject {
         both.fold(f64::NEG_INFINITY, |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
     }
 
-    /// What holds whatever disturbs the loop: `e[k+1] <= max(0, e[k] - ρ T)` for the excess `e` of what was seen over its band, from the
-    /// first sample on and again after every sample that was held.
+    /// Checks of the bound that holds whatever disturbs the loop: `e[k+1] <= max(0, e[k] - ρ T)` for the excess `e` of what was seen over
+    /// its band, from the first sample on and again after every sample that was held.
     fn always(&self, trace: &ConditionedTrace, disturbances: &PathDisturbances) -> Vec<Check> {
         // The band follows from the gradient, which the trace has as it is and not as it was seen.
         let late = self.moving && disturbances.delay > 0;

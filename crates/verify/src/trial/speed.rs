@@ -35,7 +35,7 @@ const SIGNAL: Always = Always {
     unit: "limits",
 };
 
-/// What a robot's clock was taken to be: under jitter nothing is said of times.
+/// Jitter: the robot's clock is not the one it was taken for, so that nothing is said of times.
 const COUNTED: &str = "period-as-counted";
 /// Arrival is judged by the joints, and the controller's view of them is what the settling is read from.
 const SEEN: &str = "joints-as-seen";
@@ -51,9 +51,9 @@ pub(crate) struct SpeedSubject {
     limits: Vec<[f64; 2]>,
     /// Acceleration limit of each joint, rad/s² (m/s²), where there are any.
     acceleration: Option<Vec<f64>>,
-    /// Whether a path of the joints is followed.
+    /// True if a path of the joints is followed.
     by_joints: bool,
-    /// Whether limits at single places or of the tool hold the reference back, of which the law's own bounds know nothing.
+    /// True if limits at single places or of the tool hold the reference back, of which the law's own bounds know nothing.
     varying: bool,
 }
 
@@ -125,7 +125,7 @@ impl SpeedSubject {
         Some(uses.fold(0.0, f64::max))
     }
 
-    /// What holds whatever disturbs the loop.
+    /// Checks of the bounds that hold whatever disturbs the loop.
     fn always(&self, experiment: &Experiment, trace: &Trace, seen: &Observed) -> Result<Vec<Check>, VerifyError> {
         let method = self.method;
         let mut checks = Vec::new();
@@ -213,7 +213,7 @@ impl SpeedSubject {
         uses.fold(0.0, f64::max)
     }
 
-    /// What a guarantee takes for granted and disturbances take away.
+    /// Name of an assumption of a guarantee that the disturbances break, if any.
     fn loses(&self, guarantee: &Guarantee, disturbances: &Disturbances) -> Option<&'static str> {
         let of_time = guarantee.claim.starts_with("time-");
         if of_time && disturbances.jitter > 0.0 {
@@ -225,7 +225,7 @@ impl SpeedSubject {
     }
 }
 
-/// How far the joint goes that goes farthest in a run, rad (m).
+/// Greatest range over which a joint moves in a run, rad (m).
 fn extent(trace: &Trace) -> f64 {
     let range = |joint: usize| {
         let ends = |[low, high]: [f64; 2], q: f64| [low.min(q), high.max(q)];

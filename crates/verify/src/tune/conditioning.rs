@@ -4,7 +4,7 @@ use crate::statement::{ConditioningCase, Statement, room, shown_down, shown_up};
 use slideway_conditioner::path::SwitchingLaw;
 use slideway_lab::conditioning::{ConditioningProblem, PathMethod};
 
-/// How often the push is adapted to what the run shows of the drift.
+/// Number of times that the push is adapted to the drift that the run shows.
 const ROUNDS: usize = 8;
 
 /// Sampling rates beyond this are not proposed, Hz.

@@ -33,7 +33,7 @@ pub struct ProposedValue {
     pub unit: &'static str,
 }
 
-/// What is predicted, beside what one run of the tuned scenario gave.
+/// A predicted guarantee, beside the value in one run of the tuned scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Prediction {
     /// Name of the guarantee.
@@ -57,16 +57,16 @@ pub struct Tuned {
     pub values: Vec<ProposedValue>,
     /// The trade-off that was made, in words.
     pub trade_off: Vec<String>,
-    /// What the tuned problem guarantees, and what it gave.
+    /// Guarantees of the tuned problem, beside the values in its run.
     pub predictions: Vec<Prediction>,
     /// The statement of the tuned problem.
     pub statement: Statement,
 }
 
-/// Why there are none, and what would do.
+/// Reason why no parameters satisfy a request, and values that could be kept instead.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Impossible {
-    /// What stands against it.
+    /// Reason, in words.
     pub reason: String,
     /// A sampling rate at which the same amplitude can be kept, Hz.
     pub rate: Option<f64>,
@@ -74,7 +74,7 @@ pub struct Impossible {
     pub chattering: Option<f64>,
 }
 
-/// What came of it.
+/// Outcome of a tuning.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TuneOutcome {
     /// Parameters that do.
@@ -94,7 +94,7 @@ impl TuneRequest {
     }
 }
 
-/// What a statement predicts, by the names of its guarantees.
+/// Predictions of a statement, by the names of its guarantees.
 fn predictions(statement: &Statement) -> Vec<Prediction> {
     let shown = |g: &crate::statement::Guarantee| Prediction {
         name: g.name.clone(),

@@ -6,7 +6,7 @@ use slideway_lab::{Experiment, Method};
 /// Filter steps beyond this gain nothing: what the switching costs, about `a / 2` of the speed, is more than what the approach saves.
 const LARGEST_STEP: f64 = 0.2;
 
-/// How often the filter is adapted to what the run shows of the demand's changes.
+/// Number of times that the filter is adapted to the demand's changes that the run shows.
 const ROUNDS: usize = 6;
 
 /// Sampling rates beyond this are not proposed, Hz.
@@ -59,7 +59,7 @@ pub fn tune_speed<E: From<VerifyError>>(
     }
 }
 
-/// What the path asks whatever the parameters.
+/// Values that the path sets, whatever the parameters.
 struct Start {
     /// Target rate with the margin, 1/s.
     target_rate: f64,
@@ -213,7 +213,7 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
         )
     }
 
-    /// What the slowest filter with the margin would do, run as well.
+    /// Words about the slowest filter with the margin, which is run as well; `None` if it is hardly slower.
     fn slower_in_words(&self, candidate: &Candidate, start: &Start) -> Result<Option<String>, E> {
         let slowest = 1.01 * self.slowest(candidate);
         if !(slowest > 0.0 && slowest < 0.95 * candidate.step) {
