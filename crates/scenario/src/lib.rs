@@ -27,6 +27,6 @@ pub use error::ScenarioError;
 pub use read::number_table::{NumberTable, TableError};
 pub use read::robot::robot_in;
 pub use speed::Scenario;
-pub use tables::Expectation;
 pub use tables::verify_options::VerifyOptions;
+pub use tables::{Expectation, SolverName};
 pub use text::locate;
