@@ -28,6 +28,13 @@ fn compare_writes_everything_it_promises_and_the_verdict_holds() {
         let width = trace.lines().next().expect("header").split(',').count();
         assert!(trace.lines().count() > 1000 && trace.lines().all(|l| l.split(',').count() == width));
     }
+    let motion = std::fs::read_to_string(out.join("optimum.csv")).expect("the optimum's motion");
+    let header: Vec<&str> = motion.lines().next().expect("header").split(',').collect();
+    assert_eq!(header[..3], ["t_s", "lambda", "lambda_rate_per_s"]);
+    assert_eq!(header[header.len() - 2..], ["limit", "limit_use"]);
+    // 4.2412 s at 1 kHz, both ends included.
+    assert_eq!(motion.lines().count(), 1 + 4243);
+    assert!(motion.lines().all(|line| line.split(',').count() == header.len()));
     let figures: Vec<_> = std::fs::read_dir(out.join("figures")).expect("figures").collect();
     assert!(figures.len() >= 12, "each figure as SVG and as PNG");
     let report = std::fs::read_to_string(out.join("report.html")).expect("report");
@@ -44,10 +51,16 @@ fn json_on_standard_output_is_the_summary_with_its_documented_keys() {
     let summary = json(&stdout(&output));
     assert_eq!(summary, json(&std::fs::read_to_string(folder.path().join("here/summary.json")).expect("summary")));
     assert_eq!(summary["scenario"], "puma-helix-on-path");
-    for key in ["duration_s", "lower_s", "upper_s", "grid_points", "status", "solve_s"] {
+    for key in ["duration_s", "lower_s", "upper_s", "gap", "certified", "cells", "stop", "solver", "solve_s"] {
         assert!(!summary["optimum"][key].is_null(), "optimum.{key}");
     }
-    for key in ["ratio", "tolerance", "holds"] {
+    for key in ["duration_s", "lower_s", "upper_s", "grid_points", "status", "solve_s"] {
+        assert!(!summary["optimum"]["on_grid"][key].is_null(), "optimum.on_grid.{key}");
+    }
+    assert_eq!(summary["optimum"]["certified_for"], "spline");
+    assert_eq!(summary["optimum"]["duration_s"], summary["optimum"]["upper_s"]);
+    assert_eq!(summary["verdict"]["status"], "holds");
+    for key in ["ratio", "ratio_lower", "ratio_upper", "tolerance", "holds"] {
         assert!(!summary["verdict"][key].is_null(), "verdict.{key}");
     }
     let sliding = &summary["methods"][3];

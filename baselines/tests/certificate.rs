@@ -148,6 +148,15 @@ fn trapezoid_profile_is_met_where_the_switches_fall_on_nodes() {
     let optimum = time_optimum(&straight(4.0, 1.0, 1.0, 80)).expect("solvable");
     assert!(optimum.is_certified());
     assert!((optimum.duration_s - 5.0).abs() < 5e-6);
+    // s in shares of the way of 4: from rest with 1/4, at an even 1/4 from 1 s on, at rest again after 5 s. Solved to 1e-6.
+    let motion = optimum.motion();
+    for (t, s, s_dot, s_ddot) in [(0.5, 0.03125, 0.125, 0.25), (2.5, 0.5, 0.25, 0.0), (4.5, 0.96875, 0.125, -0.25)] {
+        let state = motion.at_time(t);
+        assert!((state.s - s).abs() < 1e-5 && (state.lambda - s).abs() < 1e-5, "{t}: {state:?}");
+        assert!((state.s_dot - s_dot).abs() < 1e-5 && (state.s_ddot - s_ddot).abs() < 1e-4, "{t}: {state:?}");
+    }
+    let end = motion.at_time(9.0);
+    assert!(end.s == 1.0 && end.s_dot < 1e-3 && motion.at_time(f64::NAN).s == 0.0, "{end:?}");
 }
 
 #[test]

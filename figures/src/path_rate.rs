@@ -1,13 +1,13 @@
 //! dλ/dt against λ and against time (`[G11]` Fig. 5, top, and Fig. 9): how near the regulated speed comes to the optimum.
 
 use crate::canvas::{Canvas, Drawn, Header};
-use crate::facts::{header, motion_start, rate_ceiling, reference_entry, travel_meaning, travel_ratio};
+use crate::facts::{entry, header, motion_start, rate_ceiling, reference_entry, travel_meaning, travel_ratio};
 use crate::polyline::Point;
 use crate::render::Figure;
 use crate::scale::{Axis, span};
 use crate::stack::{self, Layer};
-use crate::study::{Checked, Run};
-use crate::style::{REFERENCE, label, stroke};
+use crate::study::{Checked, Optimum, Run};
+use crate::style::{GAP, LIMIT, REFERENCE, Stroke, label, stroke};
 use plotters::backend::DrawingBackend;
 
 /// Path rate against the path parameter.
@@ -21,12 +21,12 @@ fn panel_height(panels: usize) -> f64 {
     if panels == 1 { 450.0 } else { 262.0 }
 }
 
-/// The optimum under each regulated method; the fixed speeds, which have no shape to compare, in every panel.
-fn layers(checked: &Checked, optimum: &[Point], curve: fn(&Run) -> Vec<Point>) -> Vec<Layer> {
+/// The optimum and what belongs to it under each regulated method; the fixed speeds, which have no shape to compare, in every panel.
+fn layers(checked: &Checked, under: &[(Vec<Point>, Stroke)], curve: fn(&Run) -> Vec<Point>) -> Vec<Layer> {
     let fixed: Vec<&Run> = checked.runs.iter().filter(|run| !run.method.is_regulated()).collect();
     let regulated: Vec<&Run> = checked.regulated().collect();
     let layer = |run: Option<&&Run>| {
-        let mut curves = vec![(optimum.to_vec(), REFERENCE)];
+        let mut curves = under.to_vec();
         let shown = fixed.iter().chain(run);
         curves.extend(shown.map(|run| (curve(run), stroke(run.method))));
         let title = run.map(|run| label(run.method).to_owned()).unwrap_or_default();
@@ -54,6 +54,20 @@ fn with_optimum(checked: &Checked, mut header: Header) -> Header {
     header
 }
 
+/// The limit curve, the cells that hold the gap on the axis below it, and the optimum.
+fn optimum_curves(optimum: &Optimum) -> Vec<(Vec<Point>, Stroke)> {
+    let [first, last] = [optimum.lambda.first(), optimum.lambda.last()].map(|l| l.copied().unwrap_or(0.0));
+    // Cells are often narrower than a line is broad.
+    let least = 2e-3 * (last - first);
+    let mark = |[from, to]: &[f64; 2]| {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from).max(least));
+        (vec![(middle - half, 0.0), (middle + half, 0.0)], GAP)
+    };
+    let cells = optimum.gap_cells.iter().map(mark);
+    let limit = (optimum.limit_against_lambda(), LIMIT);
+    std::iter::once((optimum.against_lambda(), REFERENCE)).chain([limit]).chain(cells).collect()
+}
+
 impl Figure for PathRate<'_> {
     const NAME: &'static str = "path-rate";
 
@@ -70,7 +84,15 @@ impl Figure for PathRate<'_> {
     fn header(&self) -> Header {
         let value = |run: &Run| travel_ratio(self.0, run);
         let header = header(self.0, "Path rate along the path", &travel_meaning(self.0), &self.0.runs, value);
-        with_optimum(self.0, header)
+        let mut header = with_optimum(self.0, header);
+        let optimum = self.0.study.optimum;
+        if optimum.is_some_and(|o| !o.rate_limit.is_empty()) {
+            header.legend.insert(1, entry("largest rate that the limits leave", LIMIT));
+        }
+        if optimum.is_some_and(|o| !o.gap_cells.is_empty()) {
+            header.legend.insert(2, entry("where the bounds of the optimum are farthest apart", GAP));
+        }
+        header
     }
 
     fn body_height(&self) -> f64 {
@@ -78,9 +100,10 @@ impl Figure for PathRate<'_> {
     }
 
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
-        let optimum = self.0.study.optimum.map(|o| o.against_lambda()).unwrap_or_default();
+        let optimum = self.0.study.optimum.map(optimum_curves).unwrap_or_default();
         let followed = self.0.runs.iter().flat_map(|run| run.following()).map(|s| s.lambda);
-        let x = Axis::linear("path parameter λ", span(followed.chain(optimum.iter().map(|p| p.0))), 8);
+        let of_optimum = self.0.study.optimum.into_iter().flat_map(|o| o.lambda.iter().copied());
+        let x = Axis::linear("path parameter λ", span(followed.chain(of_optimum)), 8);
         stack::draw(canvas, &x, layers(self.0, &optimum, against_lambda), panel_height(panels(self.0)))
     }
 }
@@ -115,7 +138,7 @@ impl Figure for PathRateOverTime<'_> {
     fn draw_body<DB: DrawingBackend>(&self, canvas: &Canvas<DB>) -> Drawn<DB> {
         let optimum = self.0.study.optimum.map(|o| o.against_time(motion_start(self.0))).unwrap_or_default();
         let x = Axis::linear("time (s)", 0.0..self.0.end(), 7);
-        let layers = layers(self.0, &optimum, |run| run.against_time(|s| s.path_rate));
+        let layers = layers(self.0, &[(optimum, REFERENCE)], |run| run.against_time(|s| s.path_rate));
         stack::draw(canvas, &x, layers, panel_height(panels(self.0)))
     }
 }

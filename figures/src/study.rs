@@ -38,6 +38,10 @@ pub struct Optimum {
     pub lambda: Vec<f64>,
     /// Path rate `dλ/dt`, 1/s; 0 during a self-motion.
     pub path_rate: Vec<f64>,
+    /// The largest rate that the limits leave at each of these places, 1/s; empty where it is not known.
+    pub rate_limit: Vec<f64>,
+    /// Path parameters between which the bounds of the optimum are farthest apart.
+    pub gap_cells: Vec<[f64; 2]>,
 }
 
 impl Optimum {
@@ -73,6 +77,11 @@ impl Optimum {
     /// Points of dλ/dt against λ.
     pub(crate) fn against_lambda(&self) -> Vec<(f64, f64)> {
         self.lambda.iter().copied().zip(self.path_rate.iter().copied()).collect()
+    }
+
+    /// Points of the limit curve against λ.
+    pub(crate) fn limit_against_lambda(&self) -> Vec<(f64, f64)> {
+        self.lambda.iter().copied().zip(self.rate_limit.iter().copied()).collect()
     }
 
     /// Points of dλ/dt against time, motion starting at `start`.

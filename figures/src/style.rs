@@ -44,6 +44,9 @@ pub(crate) const REFERENCE: Stroke = Stroke { color: RGBColor(0xB0, 0xB0, 0xB0),
 /// Limits and proven bounds.
 pub(crate) const LIMIT: Stroke = Stroke { color: INK, width: 2.5, dashes: SHORT_DASHES };
 
+/// Marks on an axis where bounds are farthest apart.
+pub(crate) const GAP: Stroke = Stroke { color: RGBColor(0xC0, 0x00, 0x00), width: 14.0, dashes: &[] };
+
 /// Hatching of the region that a constraint forbids.
 pub(crate) const HATCH: Stroke = Stroke { color: RGBColor(0x9A, 0x9A, 0x9A), width: 1.5, dashes: &[] };
 

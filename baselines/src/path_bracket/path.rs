@@ -1,6 +1,7 @@
 //! What is to be bracketed: a joint path in polynomial segments, its limits and its ends.
 
 use super::error::BracketError;
+use slideway_path::WholePath;
 
 /// A continuous joint path `q(s)`: one polynomial of degree at most 5 for each joint between neighbouring knots.
 ///
@@ -259,6 +260,24 @@ pub struct JointPathProblem {
     path: JointPath,
     limits: JointLimits,
     ends: [End; 2],
+}
+
+impl TryFrom<&WholePath> for JointPathProblem {
+    type Error = BracketError;
+
+    /// The problem of a scenario's joint path.
+    ///
+    /// # Errors
+    ///
+    /// As [`JointPath::new`], [`JointLimits::new`] and [`JointPathProblem::new`].
+    fn try_from(whole: &WholePath) -> Result<Self, BracketError> {
+        let path = JointPath::new(whole.polynomials.knots().to_vec(), whole.polynomials.coefficients())?;
+        let joints = whole.speed.len();
+        let none = || [vec![f64::NEG_INFINITY; joints], vec![f64::INFINITY; joints]];
+        let [lower, upper] = whole.acceleration.clone().unwrap_or_else(none);
+        let limits = JointLimits::new(whole.speed.clone(), lower, upper)?;
+        Self::new(path, limits, whole.is_free.map(|free| if free { End::Free } else { End::Rest }))
+    }
 }
 
 impl JointPathProblem {

@@ -193,9 +193,27 @@ pub(crate) struct CompareArguments {
     /// Keep the optimum's limits between grid points as well, to this share of each limit, for example 1e-6.
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) inter_sample: Option<f64>,
+    /// How near the bounds of the whole path's optimum are to come, relative [default: the scenario's, else 1e-5].
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) gap: Option<f64>,
+    /// Most cells of the path that they may take [default: the scenario's, else 20000].
+    #[arg(long, value_name = "N")]
+    pub(crate) cells: Option<usize>,
+    /// The solver of the optimum; its bounds do not rest on it [default: the scenario's, else structured].
+    #[arg(long)]
+    pub(crate) solver: Option<SolverArgument>,
     /// Print summary.json instead of the table.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// A solver of the optimum.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub(crate) enum SolverArgument {
+    /// The project's own interior points on the structure of the problem.
+    Structured,
+    /// The conic solver Clarabel: slower, a second opinion.
+    Conic,
 }
 
 #[derive(Debug, clap::Args)]

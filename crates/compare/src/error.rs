@@ -74,3 +74,21 @@ pub fn check_shares(tolerance: Option<f64>, inter_sample: Option<f64>) -> Result
         _ => Ok(()),
     }
 }
+
+/// Refuses a gap that no bounds come to, and too few cells to seek them with.
+///
+/// # Errors
+///
+/// A gap outside `[1e-10, 1]`; fewer than 10 cells.
+pub fn check_refinement(gap: Option<f64>, cells: Option<usize>) -> Result<(), CompareError> {
+    match (gap, cells) {
+        (Some(value), _) if !(1e-10..=1.0).contains(&value) => {
+            let remedy = "give a relative gap from 1e-10 to 1, for example 1e-5";
+            Err(CompareError::Option { option: "gap", value, remedy })
+        }
+        (_, Some(cells)) if cells < 10 => {
+            Err(CompareError::Option { option: "cells", value: cells as f64, remedy: "give at least 10 cells" })
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,15 +1,19 @@
 use crate::disturbances::Disturbances;
+use crate::joints::JointUnits;
 use crate::method::Method;
 use crate::natural::{ModelErrorRun, NaturalLaws, WrongModel};
 use crate::problem::{ControlSettings, LookAheadOptions, Problem};
 use crate::run::acceleration::online_limits;
 use crate::run::course::{Course, ProfilePoint};
-use crate::run::limit_use::LimitUse;
+use crate::run::limit_use::{JointMotion, LimitUse, MotionInstant};
 use crate::run::motion::{course_along, course_of};
 use crate::run::simulate::simulate;
 use crate::run::trace::Trace;
 use slideway_conditioner::SpeedLimits;
-use slideway_path::{Fault, JointPath, PositionExcess, ProblemError, Reference, SampledPath};
+use slideway_path::{
+    Fault, JointPath, JointPathPoint, NotWhole, PieceKind, PositionExcess, ProblemError, Reference, SampledPath,
+    WholePath,
+};
 use slideway_robot::JointVector;
 
 /// A problem made ready to run, for an arm of any supported number of joints.
@@ -101,6 +105,20 @@ impl<const N: usize> Traced<N> {
 
     fn tool(&self, q: &[f64]) -> [f64; 3] {
         self.problem.path.arm.forward(&JointVector::from_fn(|i, _| q[i])).translation.vector.into()
+    }
+
+    fn path_point(&self, piece: usize, s: f64) -> Result<JointPathPoint, ProblemError> {
+        let piece = &self.path.pieces()[piece];
+        let point = piece.at(&self.problem.path, s)?;
+        let stands = matches!(piece.kind(), PieceKind::SelfMotion { .. });
+        let list = |v: &JointVector<N>| v.iter().copied().collect();
+        Ok(JointPathPoint {
+            lambda: point.lambda,
+            lambda_rate: if stands { 0.0 } else { 1.0 },
+            q: list(&point.q),
+            first: list(&point.first),
+            second: list(&point.second),
+        })
     }
 
     fn spare_joints(&self) -> usize {
@@ -263,6 +281,45 @@ impl Experiment {
     /// The inverse kinematics fails at a place it passed while tracing.
     pub fn sample(&self, intervals: usize, between: usize) -> Result<SampledPath, ProblemError> {
         each_arm!(&self.arm, a => SampledPath::new(&a.problem.path, &a.path, intervals, between))
+    }
+
+    /// The joint path and its limits for an optimum of the whole path: see [`JointPath::whole`].
+    ///
+    /// # Errors
+    ///
+    /// Limits or ends that such an optimum does not take.
+    pub fn whole_path(&self, tolerance: f64) -> Result<WholePath, NotWhole> {
+        each_arm!(&self.arm, a => a.path.whole(&a.problem.path, tolerance))
+    }
+
+    /// The same with a spline in place of a path of the joints: see [`JointPath::spline`].
+    ///
+    /// # Errors
+    ///
+    /// Limits or ends that such an optimum does not take.
+    pub fn spline_path(&self, tolerance: f64) -> Result<WholePath, NotWhole> {
+        each_arm!(&self.arm, a => a.path.spline(&a.problem.path, tolerance))
+    }
+
+    /// The joint path at a place of one of its pieces.
+    ///
+    /// # Errors
+    ///
+    /// The inverse kinematics fails at a place it passed while tracing.
+    pub fn path_point(&self, piece: usize, s: f64) -> Result<JointPathPoint, ProblemError> {
+        each_arm!(&self.arm, a => a.path_point(piece, s))
+    }
+
+    /// Torques of a motion, Nm (N for joints that slide), and the limit that it uses most.
+    #[must_use]
+    pub fn instant(&self, motion: &JointMotion) -> MotionInstant {
+        each_arm!(&self.arm, a => a.problem.motion_instant(motion))
+    }
+
+    /// Units of the joints.
+    #[must_use]
+    pub fn joint_units(&self) -> Vec<JointUnits> {
+        each_arm!(&self.arm, a => JointUnits::of(&a.problem.path.arm).into_iter().take(self.joints()).collect())
     }
 
     /// Parameters of the controller and the speed regulator.

@@ -21,7 +21,7 @@ pub use problem::{ControlSettings, FixedSpeed, Integration, LookAheadOptions, Na
 pub use published::{Agreement, Published};
 pub use run::controller::Demand;
 pub use run::course::{Course, CourseSample, Effort, ProfilePoint};
-pub use run::limit_use::LimitUse;
+pub use run::limit_use::{JointMotion, LimitUse, MotionInstant};
 pub use run::metrics::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Chattering, MethodSummary};
 pub use run::simulate::MAX_SAMPLES;
 pub use run::trace::{Chatter, Sample, Trace};

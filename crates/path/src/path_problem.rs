@@ -79,6 +79,12 @@ impl<const N: usize> PathProblem<N> {
         self.end() - self.begin()
     }
 
+    /// Whether the arm has more joints than the path prescribes coordinates.
+    #[must_use]
+    pub fn is_redundant(&self) -> bool {
+        matches!(&self.reference, Reference::Tool(tool) if tool.task.rows().len() < N)
+    }
+
     /// Pose of the tool that the path asks for at a path parameter, base frame.
     #[must_use]
     pub fn reference_pose(&self, lambda: f64) -> Pose {

@@ -34,7 +34,7 @@ pub use error::ScenarioError;
 pub use read::number_table::{NumberTable, Separator, TableError};
 pub use read::robot::robot_in;
 pub use speed::Scenario;
-pub use tables::Expectation;
+pub use tables::{Expectation, SolverName};
 pub use text::locate;
 pub use tuning::{TunedScenario, Tuning, TuningError};
 pub use values::{Change, NoKey};

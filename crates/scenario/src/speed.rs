@@ -5,7 +5,7 @@ use crate::encoding::Encoding;
 use crate::error::ScenarioError;
 use crate::read::problem::read_problem;
 use crate::read::robot::describe;
-use crate::tables::{Expectation, ScenarioFile};
+use crate::tables::{Expectation, ScenarioFile, SolverName};
 use crate::text::from_toml;
 use slideway_lab::{Experiment, Method, Problem};
 use slideway_path::Fault;
@@ -24,6 +24,10 @@ pub struct Scenario {
 
 /// Grid points that make sense: below, nothing is resolved; above, the solver needs minutes.
 const GRID_POINTS: std::ops::RangeInclusive<usize> = 10..=100_000;
+/// Cells of the whole path's bracket: a million take a minute.
+const CELLS: std::ops::RangeInclusive<usize> = 10..=1_000_000;
+/// Gaps of its bounds: below, rounding is of that size; above, they say nothing.
+const GAPS: std::ops::RangeInclusive<f64> = 1e-10..=1.0;
 
 impl Scenario {
     /// A built-in scenario, if there is one of that name.
@@ -151,6 +155,17 @@ impl Scenario {
             };
             return Err(ScenarioError::value("optimum.grid_points", fault));
         }
+        let cells = self.optimum_cells();
+        if !CELLS.contains(&cells) {
+            let fault =
+                Fault::OutOfRange { value: cells as f64, least: *CELLS.start() as f64, most: *CELLS.end() as f64 };
+            return Err(ScenarioError::value("optimum.cells", fault));
+        }
+        let gap = self.optimum_gap();
+        if !GAPS.contains(&gap) {
+            let fault = Fault::OutOfRange { value: gap, least: *GAPS.start(), most: *GAPS.end() };
+            return Err(ScenarioError::value("optimum.gap", fault));
+        }
         self.verify_options()?;
         if !(self.tolerance() > 0.0) {
             return Err(ScenarioError::value("compare.tolerance", Fault::NotPositive(self.tolerance())));
@@ -189,6 +204,24 @@ impl Scenario {
     /// A greatest disturbance that no scenario may have.
     pub fn verify_options(&self) -> Result<VerifyOptions, ScenarioError> {
         self.file.verify.read()
+    }
+
+    /// Relative gap that the bounds of the whole path's optimum are to come to.
+    #[must_use]
+    pub fn optimum_gap(&self) -> f64 {
+        self.file.optimum.gap.map_or(1e-5, |gap| gap.0)
+    }
+
+    /// Most cells of its bracket.
+    #[must_use]
+    pub fn optimum_cells(&self) -> usize {
+        self.file.optimum.cells.unwrap_or(20_000) as usize
+    }
+
+    /// The solver of the optimum.
+    #[must_use]
+    pub fn optimum_solver(&self) -> SolverName {
+        self.file.optimum.solver
     }
 
     /// Grid points of the optimum.

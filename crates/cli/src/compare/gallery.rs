@@ -9,6 +9,7 @@ use crate::say::page::page_head;
 use crate::say::table::Table;
 use crate::say::words::decimals;
 use serde::Serialize;
+use slideway_compare::CertifiedFor;
 use slideway_scenario::{AnyScenario, BUILT_IN, Expectation};
 use std::path::Path;
 
@@ -67,7 +68,7 @@ impl Entry {
         }
     }
 
-    fn cells(&self) -> [String; 5] {
+    fn cells(&self) -> [String; 6] {
         let number = |value: Option<f64>| value.map_or("-".into(), |v| decimals(v, 4));
         let verdict = match (self.holds, self.as_expected) {
             (true, true) => "yes",
@@ -79,6 +80,7 @@ impl Entry {
             self.scenario.to_owned(),
             number(self.key.optimum_s),
             self.key.gap.map_or("-".into(), |gap| format!("{gap:.1e}")),
+            self.key.certified_for.map_or("-", CertifiedFor::short).to_owned(),
             number(self.key.ratio),
             verdict.to_owned(),
         ]
@@ -95,7 +97,7 @@ impl Gallery {
     }
 
     fn table(&self) -> Table {
-        let mut table = Table::new(["scenario", "T* [s]", "gap", "ratio", "verdict"]).numbers(1..4);
+        let mut table = Table::new(["scenario", "T* [s]", "gap", "holds for", "ratio", "verdict"]).numbers(1..5);
         for entry in &self.scenarios {
             let words = format!("{}. {}", entry.description, entry.verdict);
             table.row(entry.cells()).link(format!("{}/report.html", entry.scenario)).words(words);
@@ -114,7 +116,8 @@ impl Gallery {
     fn page(&self) -> String {
         format!(
             "{}<h1>Gallery</h1>\n<p class=\"verdict {}\">{}</p>\n{}\
-             <p class=\"note\">T* is the certified time optimum, gap the relative distance of its bounds. The ratio is the judged \
+             <p class=\"note\">T* is the certified time optimum, gap the relative distance of its bounds; they hold for the whole path, for the whole of the \
+             spline that stands for a path of the tool, or at the nodes of a grid alone. The ratio is the judged \
              method's time over T*; for conditioning its mean deviation over that of the projection.</p>\n</main>\n</body>\n</html>\n",
             page_head("Gallery"),
             if self.all_as_expected { "holds" } else { "fails" },

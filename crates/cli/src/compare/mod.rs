@@ -12,19 +12,25 @@ mod speed_page;
 mod speed_table;
 mod speed_text;
 
-use crate::args::CompareArguments;
+use crate::args::{CompareArguments, SolverArgument};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::load;
 use crate::say::output::{Outcome, show};
 use compared::CompareOptions;
 use one::compare;
-use slideway_compare::check_shares;
+use slideway_baselines::time_optimal::Solver;
+use slideway_compare::{check_refinement, check_shares};
 use std::path::Path;
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
-    let CompareArguments { tolerance, inter_sample, .. } = *arguments;
+    let CompareArguments { tolerance, inter_sample, gap, cells, .. } = *arguments;
     check_shares(tolerance, inter_sample)?;
-    let options = CompareOptions { tolerance, inter_sample };
+    check_refinement(gap, cells)?;
+    let solver = arguments.solver.map(|solver| match solver {
+        SolverArgument::Structured => Solver::Structured,
+        SolverArgument::Conic => Solver::Conic,
+    });
+    let options = CompareOptions { tolerance, inter_sample, gap, cells, solver };
     let Some(name) = arguments.scenario.as_deref() else {
         let out = arguments.out.clone().unwrap_or_else(|| "out".into());
         return gallery::run(&options, &out, arguments.json);

@@ -5,11 +5,11 @@ use crate::compare::{law_figures, speed_page, speed_text};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
 use crate::say::output::{Watched, as_json, begin, create, write_summary};
-use slideway_baselines::time_optimal::TimeOptimum;
+use slideway_baselines::time_optimal::Solver;
 use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
 use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
 use slideway_lab::Experiment;
-use slideway_scenario::Scenario;
+use slideway_scenario::{Scenario, SolverName};
 use std::path::Path;
 
 /// Runs every speed law on a scenario and writes the results.
@@ -23,6 +23,12 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
         tolerance: options.tolerance.unwrap_or_else(|| scenario.tolerance()),
         inter_sample: options.inter_sample,
         grid_points: scenario.grid_points(),
+        gap: options.gap.unwrap_or_else(|| scenario.optimum_gap()),
+        cells: options.cells.unwrap_or_else(|| scenario.optimum_cells()),
+        solver: options.solver.unwrap_or(match scenario.optimum_solver() {
+            SolverName::Structured => Solver::Structured,
+            SolverName::Conic => Solver::Conic,
+        }),
     };
     let watched = Watched::new();
     let compared = compare_speed(&experiment, &options, &mut |progress| watched.show(progress));
@@ -37,6 +43,7 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
         key: KeyFigures {
             optimum_s: Some(summary.optimum.duration_s),
             gap: Some(summary.optimum.gap),
+            certified_for: Some(summary.optimum.certified_for),
             ratio: summary.verdict.ratio,
         },
         summary: as_json(summary)?,
@@ -55,7 +62,9 @@ fn write(
     for trace in traces {
         create(out.join(format!("trace-{}.csv", trace.method)), |file| trace.write_csv(file))?;
     }
-    let curve = curve(&comparison.optimum);
+    let motion = comparison.optimum_motion(experiment)?;
+    create(out.join("optimum.csv"), |file| motion.write_csv(file))?;
+    let curve = curve(comparison);
     let title = scenario.name();
     let study = SpeedStudy {
         title,
@@ -81,10 +90,20 @@ fn write(
 }
 
 /// The optimum's profile as the figures want it: path rate over path parameter and over time.
-fn curve(optimum: &TimeOptimum) -> Optimum {
+fn curve(comparison: &SpeedComparison) -> Optimum {
     let mut curve = Optimum::default();
+    if let Some(whole) = &comparison.whole {
+        for sample in whole.profile() {
+            curve.time.push(sample.time);
+            curve.lambda.push(sample.lambda);
+            curve.path_rate.push(sample.path_rate);
+            curve.rate_limit.push(sample.rate_limit);
+        }
+        curve.gap_cells = comparison.summary.optimum.worst_cells.iter().map(|cell| cell.lambda).collect();
+        return curve;
+    }
     let mut begin = 0.0;
-    for piece in &optimum.pieces {
+    for piece in &comparison.optimum.pieces {
         let times = piece.times();
         curve.time.extend(times.iter().map(|t| begin + t));
         curve.lambda.extend(&piece.lambda);

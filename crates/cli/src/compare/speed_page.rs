@@ -4,7 +4,7 @@ use crate::compare::{effort_table, speed_table, speed_text};
 use crate::say::page::Page;
 use crate::say::table::{Column, Table};
 use crate::say::words::{decimals, escape, short};
-use slideway_compare::{MethodEntry, OptimumEntry, SpeedSummary, WindowEntry};
+use slideway_compare::{MethodEntry, OptimumEntry, SpeedSummary, WindowEntry, WorstCell};
 use slideway_figures::Rendered;
 
 /// The report of a comparison of speed laws.
@@ -53,6 +53,15 @@ const WINDOWS: [Column<WindowEntry>; 4] = [
     ("samples off the path", |w| w.samples_off_path.to_string()),
 ];
 
+const CELLS: [Column<WorstCell>; 3] = [
+    ("path parameter", |c| format!("{:.6} to {:.6}", c.lambda[0], c.lambda[1])),
+    ("part of the gap [s]", |c| format!("{:.1e}", c.gap_s)),
+    ("limit used most", |c| match (c.limit, c.joint) {
+        (Some(limit), Some(joint)) => format!("{limit} {}", joint + 1),
+        _ => "-".into(),
+    }),
+];
+
 /// The look-ahead with windows of several lengths; nothing without acceleration limits.
 fn windows(entries: &[WindowEntry]) -> String {
     if entries.is_empty() {
@@ -61,27 +70,31 @@ fn windows(entries: &[WindowEntry]) -> String {
     format!("<h2>What looking ahead buys</h2>\n{}", Table::of(&WINDOWS, entries).html())
 }
 
+/// The cells that hold most of the gap; nothing on a grid.
+fn worst_cells(optimum: &OptimumEntry) -> String {
+    if optimum.worst_cells.is_empty() {
+        return String::new();
+    }
+    let table = Table::of(&CELLS, &optimum.worst_cells).html();
+    format!("<details><summary>Where the gap is: the cells that hold most of it</summary>\n{table}</details>\n")
+}
+
 fn optimum(summary: &SpeedSummary) -> String {
     let block = |name: &str, o: &OptimumEntry| {
+        let remarks: String =
+            speed_text::optimum_remarks(o).iter().map(|line| format!("<li>{}</li>", escape(line))).collect();
         format!(
-            "<h2>{name}</h2>\n<dl><dt>certified bounds</dt><dd>[{:.7}, {:.7}] s, relative gap {:.1e}: {}</dd>\
-             <dt>grid</dt><dd>{} points; on a grid twice as fine {:.6} s; closed form for speed limits alone {:.6} s</dd>\
-             <dt>between grid points</dt><dd>largest violation: {}</dd>\
-             <dt>greedy profile</dt><dd>{} by reachability on the same rows: feasible, not the optimum</dd>\
-             <dt>solver</dt><dd>{}, says {}, {} iterations, {:.1} ms; the certificate decides, not the status</dd></dl>\n",
+            "<h2>{name}</h2>\n<dl><dt>bounds</dt><dd>[{:.7}, {:.7}] s, relative gap {:.1e}: {} {}</dd>\
+             <dt>how</dt><dd>{}{} solver, {:.1} ms; the certificate decides, not the solver</dd></dl>\n<ul>{remarks}</ul>\n{}",
             o.lower_s,
             o.upper_s,
             o.gap,
             if o.certified { "certified" } else { "not certified" },
-            o.grid_points,
-            o.refined_s,
-            o.closed_form_speed_s,
-            escape(&o.between_in_words()),
-            o.greedy_in_words(),
+            o.certified_for.words(),
+            o.cells.map_or_else(String::new, |cells| format!("{cells} cells, ")),
             escape(&o.solver),
-            escape(&o.status),
-            o.iterations,
             1e3 * o.solve_s,
+            worst_cells(o),
         )
     };
     let main = block("The optimum", &summary.optimum);

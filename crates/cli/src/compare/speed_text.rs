@@ -3,6 +3,7 @@
 use crate::compare::{effort_table, speed_table};
 use crate::say::words::{decimals, short};
 use slideway_compare::{OptimumEntry, SpeedSummary};
+use slideway_path::SplineDeviation;
 
 /// The comparison as tables with what they mean.
 pub(crate) fn render(summary: &SpeedSummary) -> String {
@@ -69,21 +70,57 @@ fn optimum(summary: &SpeedSummary) -> String {
 }
 
 fn optimum_line(name: &str, o: &OptimumEntry) -> String {
-    format!(
-        "{name} in [{:.7}, {:.7}] s, {} (gap {:.1e}, {} grid points, {} solver says {}, {:.1} ms)\n  \
-         closed form for speed limits {:.6} s, grid twice as fine {:.6} s, greedy profile {}\n  \
-         largest violation between grid points: {}\n",
+    let mut text = format!(
+        "{name} in [{:.7}, {:.7}] s, {} {} (gap {:.1e}{}, {} solver, {:.1} ms)\n",
         o.lower_s,
         o.upper_s,
         if o.certified { "certified" } else { "NOT certified" },
+        o.certified_for.words(),
         o.gap,
-        o.grid_points,
+        o.cells.map_or_else(String::new, |cells| format!(", {cells} cells")),
         o.solver,
-        o.status,
         1e3 * o.solve_s,
-        o.closed_form_speed_s,
-        o.refined_s,
-        o.greedy_in_words(),
-        o.between_in_words(),
-    )
+    );
+    for line in optimum_remarks(o) {
+        text += &format!("  {line}\n");
+    }
+    text
+}
+
+/// What is to be said of an optimum besides its bounds, a line each.
+pub(crate) fn optimum_remarks(o: &OptimumEntry) -> Vec<String> {
+    let grid = &o.on_grid;
+    let mut lines: Vec<String> =
+        o.nodes_because.iter().map(|why| format!("at {} nodes only: {why}", grid.grid_points)).collect();
+    if let Some(stop) = o.stop.filter(|_| !o.certified) {
+        lines.push(format!("the bounds are as near as they came: {stop}"));
+    }
+    lines.extend(o.spline.map(|spline| {
+        let SplineDeviation { joint, tool_m, tool_rad, points } = spline;
+        format!(
+            "of the spline through {points} points of the path, which is what a robot is sent; between them at most {} rad (m) of a joint, {} mm and {} mrad of the tool \
+             away, as sampled",
+            short(joint),
+            short(1e3 * tool_m),
+            short(1e3 * tool_rad)
+        )
+    }));
+    if o.nodes_because.is_none() {
+        lines.push(format!(
+            "on a grid of {} points in [{:.7}, {:.7}] s: what holds at its nodes alone",
+            grid.grid_points, grid.lower_s, grid.upper_s
+        ));
+    }
+    lines.push(format!(
+        "on the grid: {} solver says {}, {} iterations, {:.1} ms; on one twice as fine {:.6} s; greedy profile {}",
+        grid.solver,
+        grid.status,
+        grid.iterations,
+        1e3 * grid.solve_s,
+        grid.refined_s,
+        grid.greedy_in_words()
+    ));
+    lines.push(format!("on the grid: largest violation between its points: {}", grid.between_in_words()));
+    lines.push(format!("closed form for speed limits alone {:.6} s", o.closed_form_speed_s));
+    lines
 }

@@ -81,7 +81,7 @@ impl Source {
 
 /// Writes the page with the comparisons that the papers' figures show, each in its own folder, and the rows as JSON.
 fn write(reproduction: &Reproduction, out: &Path) -> Result<(), CliError> {
-    let options = CompareOptions { tolerance: None, inter_sample: None };
+    let options = CompareOptions::default();
     withdraw(&out.join("reproduction.json"))?;
     for (name, _) in page::SHOWN {
         compare(&load(name)?, name, &options, &out.join(name))?;

@@ -1,9 +1,12 @@
+use crate::speed::whole::{CertifiedFor, NoWhole, WholeOptimum, WorstCell, stop_in_words};
 use serde::Serialize;
+use slideway_baselines::path_bracket::PathBracket;
 use slideway_baselines::time_optimal::{
-    OptimumError, Refined, TimeOptimum, Violation, reachable_profile, refine_optimum, refine_profile, time_optimum,
+    OptimumError, Refined, Solver, TimeOptimum, Violation, reachable_profile, refine_optimum_by, refine_profile,
+    time_optimum_by,
 };
 use slideway_lab::{Effort, Experiment, LimitUse, MethodSummary, Trace};
-use slideway_path::{LimitKind, PositionExcess, ProblemError, SampledPath};
+use slideway_path::{Likeness, LimitKind, PositionExcess, ProblemError, SampledPath, SplineDeviation};
 
 /// A method's summary and what it means beside the optimum.
 #[derive(Clone, Debug, Serialize)]
@@ -31,12 +34,47 @@ pub struct MethodEntry {
     pub knows: &'static str,
 }
 
-/// A certified optimum, without its profile.
+/// The optimum that the methods are compared with, without its profile: of the whole path where that can be bracketed, else of the grid.
 #[derive(Clone, Debug, Serialize)]
 pub struct OptimumEntry {
-    /// Duration of the profile, s.
+    /// Time that the best known profile takes, s: the upper bound.
     pub duration_s: f64,
     /// Certified lower bound of the optimal time, s.
+    pub lower_s: f64,
+    /// Certified upper bound, s.
+    pub upper_s: f64,
+    /// `(upper - lower) / lower`.
+    pub gap: f64,
+    /// True if the gap is the one asked for.
+    pub certified: bool,
+    /// What the bounds hold for.
+    pub certified_for: CertifiedFor,
+    /// Why they do not hold for the whole path; null where they do.
+    pub nodes_because: Option<String>,
+    /// Largest deviation of the spline from the joint path that it stands for; null where the path itself is bracketed.
+    pub spline: Option<SplineDeviation>,
+    /// Cells of the bracket; null on the grid.
+    pub cells: Option<usize>,
+    /// Why their refinement ended; null on the grid.
+    pub stop: Option<&'static str>,
+    /// Cells that hold most of the gap, largest first; empty on the grid.
+    pub worst_cells: Vec<WorstCell>,
+    /// The solver: `structured` or `conic`, or both where pieces of a grid differ.
+    pub solver: String,
+    /// Time that it took, s.
+    pub solve_s: f64,
+    /// The optimum of the rows at the nodes of a grid on the same path.
+    pub on_grid: GridEntry,
+    /// Closed form under speed limits alone: the integral of the slowest joint's need, on a finer grid.
+    pub closed_form_speed_s: f64,
+}
+
+/// The optimum of the rows at the nodes of a grid: of a problem that lies off that of the path by an amount of the first order in the grid.
+#[derive(Clone, Debug, Serialize)]
+pub struct GridEntry {
+    /// Duration of the profile, s.
+    pub duration_s: f64,
+    /// Certified lower bound of the grid's optimal time, s.
     pub lower_s: f64,
     /// Certified upper bound, s.
     pub upper_s: f64,
@@ -63,8 +101,6 @@ pub struct OptimumEntry {
     /// The greedy profile by reachability on the same rows: feasible, not the optimum, hundreds of times faster; null where it was
     /// not found.
     pub reachable_s: Option<f64>,
-    /// Closed form under speed limits alone: the integral of the slowest joint's need, on a finer grid.
-    pub closed_form_speed_s: f64,
     /// The optimum on a grid twice as fine.
     pub refined_s: f64,
 }
@@ -97,6 +133,23 @@ impl From<Violation> for BetweenNodes {
 }
 
 impl OptimumEntry {
+    /// The optimum in words, for a sentence that goes on with a method's distance from it.
+    pub(crate) fn in_words(&self, duration: &str) -> String {
+        let is = if self.certified {
+            format!("is {duration} s")
+        } else {
+            format!("lies between {:.6} and {:.6} s", self.lower_s, self.upper_s)
+        };
+        match self.certified_for {
+            CertifiedFor::Path | CertifiedFor::Spline => format!("certified optimum, knowing the whole path, {is}"),
+            CertifiedFor::Nodes => {
+                format!("optimum, certified at {} nodes and knowing the whole path, {is}", self.on_grid.grid_points)
+            }
+        }
+    }
+}
+
+impl GridEntry {
     /// The time of the greedy profile in words.
     #[must_use]
     pub fn greedy_in_words(&self) -> String {
@@ -130,6 +183,7 @@ impl OptimumEntry {
 #[derive(Clone, Debug)]
 pub(crate) struct Solved {
     pub(crate) optimum: TimeOptimum,
+    pub(crate) whole: Result<WholeOptimum, NoWhole>,
     inter_sample_tolerance: Option<f64>,
     refining_samples: usize,
     /// Time of the greedy profile, s. It is an extra: the optimum has its own certificate and stands without it.
@@ -139,17 +193,22 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    /// Solves on a path, and on one twice as fine; with a tolerance, limits are kept between grid points as well.
-    pub(crate) fn new(path: &SampledPath, finer: &SampledPath, tolerance: Option<f64>) -> Result<Self, OptimumError> {
+    /// Solves on the nodes of a path, and of one twice as fine; with a tolerance, limits are kept between grid points as well.
+    pub(crate) fn new(
+        [path, finer]: [&SampledPath; 2],
+        whole: Result<WholeOptimum, NoWhole>,
+        tolerance: Option<f64>,
+        solver: Solver,
+    ) -> Result<Self, OptimumError> {
         let (optimum, refining_samples, reachable_s) = match tolerance {
-            None => (time_optimum(path)?, 0, reachable_profile(path).ok().map(|profile| profile.duration_s)),
+            None => (time_optimum_by(path, solver)?, 0, reachable_profile(path).ok().map(|profile| profile.duration_s)),
             Some(tolerance) => {
-                let Refined { result, added, .. } = refine_optimum(path, tolerance)?;
+                let Refined { result, added, .. } = refine_optimum_by(path, tolerance, solver)?;
                 (result, added, refine_profile(path, tolerance).ok().map(|refined| refined.result.duration_s))
             }
         };
-        let refined_s = time_optimum(finer)?.duration_s;
-        Ok(Self { optimum, inter_sample_tolerance: tolerance, refining_samples, reachable_s, refined_s })
+        let refined_s = time_optimum_by(finer, solver)?.duration_s;
+        Ok(Self { optimum, whole, inter_sample_tolerance: tolerance, refining_samples, reachable_s, refined_s })
     }
 }
 
@@ -175,6 +234,57 @@ impl MethodEntry {
 
 impl OptimumEntry {
     pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
+        let on_grid = GridEntry::new(solved);
+        let grid = Self {
+            duration_s: on_grid.upper_s,
+            lower_s: on_grid.lower_s,
+            upper_s: on_grid.upper_s,
+            gap: on_grid.gap,
+            certified: on_grid.certified,
+            certified_for: CertifiedFor::Nodes,
+            nodes_because: None,
+            spline: None,
+            cells: None,
+            stop: None,
+            worst_cells: Vec::new(),
+            solver: on_grid.solver.clone(),
+            solve_s: on_grid.solve_s,
+            on_grid,
+            closed_form_speed_s,
+        };
+        match &solved.whole {
+            Err(why) => Self { nodes_because: Some(why.to_string()), ..grid },
+            Ok(whole) => grid.of_whole(whole),
+        }
+    }
+
+    fn of_whole(self, whole: &WholeOptimum) -> Self {
+        let PathBracket { lower_s, upper_s, gap, certified, cells, stop, .. } = whole.bracket;
+        let polynomials = &whole.path.polynomials;
+        let spline = match polynomials.likeness() {
+            Likeness::Same => None,
+            Likeness::Spline(deviation) => Some(deviation),
+        };
+        Self {
+            duration_s: upper_s,
+            lower_s,
+            upper_s,
+            gap,
+            certified,
+            certified_for: whole.certified_for(),
+            spline,
+            cells: Some(cells),
+            stop: Some(stop_in_words(stop)),
+            worst_cells: whole.worst_cells(),
+            solver: whole.solver.to_string(),
+            solve_s: whole.solve_s,
+            ..self
+        }
+    }
+}
+
+impl GridEntry {
+    fn new(solved: &Solved) -> Self {
         let optimum = &solved.optimum;
         let distinct = |mut names: Vec<String>| {
             names.sort_unstable();
@@ -196,7 +306,6 @@ impl OptimumEntry {
             inter_sample_tolerance: solved.inter_sample_tolerance,
             refining_samples: solved.refining_samples,
             reachable_s: solved.reachable_s,
-            closed_form_speed_s,
             refined_s: solved.refined_s,
         }
     }

@@ -3,21 +3,26 @@
 pub(crate) mod entries;
 mod judged;
 pub(crate) mod laws;
+pub(crate) mod motion;
 mod obstacle;
 pub(crate) mod summary;
 pub(crate) mod verdict;
+pub(crate) mod whole;
 pub(crate) mod windows;
 
-use crate::error::{CompareError, check_shares};
+use crate::error::{CompareError, check_refinement, check_shares};
 use crate::progress::{Stage, Steps, Watch};
 use entries::{MethodEntry, OptimumEntry, Solved};
 use judged::Judged;
 use laws::{LawCourse, LawModelError, ModelErrorEntry};
-use slideway_baselines::time_optimal::{OptimumError, TimeOptimum, needed_widening};
+use motion::OptimumMotion;
+use slideway_baselines::path_bracket::BracketOptions;
+use slideway_baselines::time_optimal::{OptimumError, Solver, TimeOptimum, needed_widening};
 use slideway_lab::{Experiment, Method, Trace};
 use slideway_path::SampledPath;
 use summary::{LeftOut, SpeedSummary};
 use verdict::SpeedVerdict;
+use whole::{NoWhole, WholeOptimum, WholeOptions};
 use windows::windows;
 
 /// Samples between grid points at which violations are looked for.
@@ -38,10 +43,16 @@ pub struct SpeedOptions {
     pub inter_sample: Option<f64>,
     /// Grid points of the optimum, at least 1 interval.
     pub grid_points: usize,
+    /// Relative gap of the bounds of the whole path's optimum that refinement aims at.
+    pub gap: f64,
+    /// Most cells of its bracket.
+    pub cells: usize,
+    /// The solver of both optima, the whole path's and the grid's. No bound rests on it.
+    pub solver: Solver,
 }
 
 impl SpeedOptions {
-    /// The defaults of a scenario: a tolerance of 2 %, 1000 grid points, limits kept at grid points.
+    /// The defaults of a scenario: a tolerance of 2 %, a gap of 1e-5 with at most 20 000 cells, 1000 grid points whose limits are kept there alone.
     #[must_use]
     pub fn named(name: &str) -> Self {
         Self {
@@ -51,7 +62,16 @@ impl SpeedOptions {
             tolerance: 0.02,
             inter_sample: None,
             grid_points: 1000,
+            gap: BracketOptions::default().gap,
+            cells: BracketOptions::default().cells,
+            solver: Solver::default(),
         }
+    }
+}
+
+impl SpeedOptions {
+    fn whole(&self) -> WholeOptions {
+        WholeOptions { gap: self.gap, cells: self.cells, solver: self.solver }
     }
 }
 
@@ -62,7 +82,9 @@ pub struct SpeedComparison {
     pub summary: SpeedSummary,
     /// One run per method, in the order of the experiment's methods.
     pub traces: Vec<Trace>,
-    /// The optimum's profile, with its certificate.
+    /// The optimum of the whole path; `None` where its limits are taken at the nodes of a grid only.
+    pub whole: Option<WholeOptimum>,
+    /// The grid's optimum, with its profile and certificate.
     pub optimum: TimeOptimum,
     /// The joint path on the optimum's grid.
     pub path: SampledPath,
@@ -84,6 +106,7 @@ pub fn compare_speed(
     watch: &mut Watch<'_>,
 ) -> Result<SpeedComparison, CompareError> {
     check_shares(Some(options.tolerance), options.inter_sample)?;
+    check_refinement(Some(options.gap), Some(options.cells))?;
     let judged = experiment.judged_method(options.judged)?;
     let methods = experiment.methods();
     let mut steps = Steps::new(watch, methods.len() + 2);
@@ -95,7 +118,9 @@ pub fn compare_speed(
     steps.at(Stage::Optimum)?;
     let path = experiment.sample(options.grid_points, BETWEEN)?;
     let finer = experiment.sample(2 * options.grid_points, 0)?;
-    let solved = Solved::new(&path, &finer, options.inter_sample).map_err(|error| no_optimum(error, &path))?;
+    let whole = WholeOptimum::new(experiment, options.whole());
+    let solved = Solved::new([&path, &finer], whole, options.inter_sample, options.solver)
+        .map_err(|error| no_optimum(error, &path))?;
     let study = Study { experiment, options, path: &path, finer: &finer, judged };
     let mut summary = study.summarise(&traces, &solved)?;
     steps.at(Stage::Variations)?;
@@ -106,7 +131,8 @@ pub fn compare_speed(
     let courses = laws::courses(experiment, &traces, &course);
     let model_errors = laws::model_errors(experiment, &courses)?;
     summary.model_error = model_errors.iter().map(ModelErrorEntry::from).collect();
-    Ok(SpeedComparison { summary, traces, optimum: solved.optimum, path, courses, model_errors })
+    let (whole, optimum) = (solved.whole.ok(), solved.optimum);
+    Ok(SpeedComparison { summary, traces, whole, optimum, path, courses, model_errors })
 }
 
 /// Adds by how much limits that no profile keeps would have to give way.
@@ -124,11 +150,23 @@ struct Study<'a> {
     judged: Method,
 }
 
+impl SpeedComparison {
+    /// The optimum as a motion of the joints at the controller's sampling period, for the experiment compared.
+    ///
+    /// # Errors
+    ///
+    /// The inverse kinematics fails at a place it passed while tracing.
+    pub fn optimum_motion(&self, experiment: &Experiment) -> Result<OptimumMotion, CompareError> {
+        let period = experiment.control().sampling_period;
+        Ok(OptimumMotion::new(experiment, self.whole.as_ref(), &self.optimum, period)?)
+    }
+}
+
 impl Study<'_> {
     fn summarise(&self, traces: &[Trace], solved: &Solved) -> Result<SpeedSummary, CompareError> {
         let Self { experiment, options, path, .. } = self;
         let optimum = OptimumEntry::new(solved, path.speed_limited_time());
-        let speed_only = self.under_speed_limits_alone()?;
+        let speed_only = self.under_speed_limits_alone(&solved.whole)?;
         let entry = |trace| MethodEntry::new(experiment, trace, &optimum);
         let methods = traces.iter().map(entry).collect::<Result<Vec<_>, _>>()?;
         let judge = |(entry, trace)| Judged {
@@ -162,12 +200,20 @@ impl Study<'_> {
     }
 
     /// The optimum under the speed limits alone, where the path limits more.
-    fn under_speed_limits_alone(&self) -> Result<Option<OptimumEntry>, CompareError> {
+    fn under_speed_limits_alone(
+        &self,
+        whole: &Result<WholeOptimum, NoWhole>,
+    ) -> Result<Option<OptimumEntry>, CompareError> {
         if !self.path.pieces.iter().any(|piece| self.path.limits_acceleration(piece)) {
             return Ok(None);
         }
         let (path, finer) = (self.path.under_speed_limits_alone(), self.finer.under_speed_limits_alone());
-        let solved = Solved::new(&path, &finer, None).map_err(|error| no_optimum(error, &path))?;
+        let whole = match whole {
+            Ok(whole) => whole.under_speed_limits_alone(self.options.whole()),
+            Err(why) => Err(why.clone()),
+        };
+        let solved =
+            Solved::new([&path, &finer], whole, None, self.options.solver).map_err(|error| no_optimum(error, &path))?;
         Ok(Some(OptimumEntry::new(&solved, self.path.speed_limited_time())))
     }
 }

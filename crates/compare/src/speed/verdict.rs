@@ -1,6 +1,7 @@
 use crate::speed::entries::{MethodEntry, excess_in_words};
 use crate::speed::judged::{Judged, subject};
 use crate::speed::obstacle::{LIMIT_SLACK, obstacle, reached_a_limit};
+use crate::speed::whole::CertifiedFor;
 use crate::words::{fixed, short};
 use serde::Serialize;
 use slideway_lab::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Method};
@@ -13,38 +14,85 @@ pub struct SpeedVerdict {
     pub method: Method,
     /// From the start of motion to the robot's arrival, over the optimum.
     pub ratio: Option<f64>,
+    /// The least that the ratio can be: over the optimum's upper bound.
+    pub ratio_lower: Option<f64>,
+    /// The most that the ratio can be: over the optimum's lower bound; null where that is 0.
+    pub ratio_upper: Option<f64>,
     /// By how much the ratio may differ from 1.
     pub tolerance: f64,
+    /// Whether the bounds of the optimum decide it, and how.
+    pub status: VerdictStatus,
     /// Whether it holds.
     pub holds: bool,
     /// The verdict in words.
     pub sentence: String,
 }
 
+/// A verdict with bounds in place of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum VerdictStatus {
+    /// It holds with either bound of the optimum.
+    Holds,
+    /// It fails with every time between the bounds.
+    Fails,
+    /// It depends on where between its bounds the optimum is.
+    Open,
+}
+
+impl VerdictStatus {
+    /// Whether a ratio between two bounds is within a tolerance of 1. NaN is not.
+    fn of([lower, upper]: [f64; 2], tolerance: f64) -> Self {
+        let near = |ratio: f64| (ratio - 1.0).abs() <= tolerance;
+        if near(lower) && near(upper) {
+            Self::Holds
+        } else if lower <= 1.0 + tolerance && upper >= 1.0 - tolerance {
+            Self::Open
+        } else {
+            Self::Fails
+        }
+    }
+}
+
 impl SpeedVerdict {
     /// The verdict about a method, from its run if there is one.
     pub(crate) fn new(method: Method, tolerance: f64, judged: Option<&Judged<'_>>) -> Self {
+        let fails = |sentence: String| Self {
+            method,
+            ratio: None,
+            ratio_lower: None,
+            ratio_upper: None,
+            tolerance,
+            status: VerdictStatus::Fails,
+            holds: false,
+            sentence,
+        };
         let Some(judged) = judged else {
-            let sentence = format!("No: the {} was not run.", subject(method));
-            return Self { method, ratio: None, tolerance, holds: false, sentence };
+            return fails(format!("No: the {} was not run.", subject(method)));
         };
-        let ratio = judged.entry.ratio;
-        let near = ratio.is_some_and(|r| (r - 1.0).abs() <= tolerance);
-        let reason = obstacle(judged);
-        let holds = reason.is_none() && near;
-        let sentence = match (reason, ratio) {
-            (Some(reason), _) => format!("No: {reason}."),
-            (None, Some(ratio)) => Comparison { judged: *judged, ratio, holds }.sentence(),
-            (None, None) => "No: there is nothing to compare.".into(),
+        let fails = |sentence: String| {
+            let MethodEntry { ratio, ratio_range, .. } = *judged.entry;
+            let [ratio_lower, ratio_upper] = [0, 1].map(|end| ratio_range.map(|range| range[end]));
+            Self { ratio, ratio_lower, ratio_upper, ..fails(sentence) }
         };
-        Self { method, ratio, tolerance, holds, sentence }
+        let (ratio, range) = match (obstacle(judged), judged.entry.ratio, judged.entry.ratio_range) {
+            (Some(reason), ..) => return fails(format!("No: {reason}.")),
+            (None, Some(ratio), Some(range)) => (ratio, range),
+            (None, ..) => return fails("No: there is nothing to compare.".into()),
+        };
+        let status = VerdictStatus::of(range, tolerance);
+        let sentence = Comparison { judged: *judged, ratio, range, status }.sentence();
+        Self { status, holds: status == VerdictStatus::Holds, ..fails(sentence) }
     }
 
     /// The same verdict, unless the path leaves position ranges that the scenario gives: then no time counts.
     pub(crate) fn under_position_limits(self, excesses: &[PositionExcess]) -> Self {
         match excesses.iter().find(|excess| excess.source == PositionSource::Scenario) {
             None => self,
-            Some(excess) => Self { holds: false, sentence: format!("No: {}.", excess_in_words(excess)), ..self },
+            Some(excess) => {
+                let sentence = format!("No: {}.", excess_in_words(excess));
+                Self { holds: false, status: VerdictStatus::Fails, sentence, ..self }
+            }
         }
     }
 }
@@ -64,7 +112,8 @@ fn knowing(entry: &MethodEntry) -> String {
 struct Comparison<'a> {
     judged: Judged<'a>,
     ratio: f64,
-    holds: bool,
+    range: [f64; 2],
+    status: VerdictStatus,
 }
 
 impl Comparison<'_> {
@@ -72,18 +121,36 @@ impl Comparison<'_> {
         let Judged { entry, optimum, tolerance, .. } = self.judged;
         let [travel, best] = fixed([entry.travel_s.unwrap_or(f64::NAN), optimum.duration_s], 4);
         let name = subject(entry.summary.method);
-        let head = if self.holds {
-            format!("Yes: the {name}, {}, needs {travel} s", knowing(entry))
-        } else {
-            format!("No: the {name} needs {travel} s")
+        let head = match self.status {
+            VerdictStatus::Holds => format!("Yes: the {name}, {}, needs {travel} s", knowing(entry)),
+            VerdictStatus::Fails => format!("No: the {name} needs {travel} s"),
+            VerdictStatus::Open => format!("Open: the {name} needs {travel} s"),
         };
         format!(
-            "{head} where the certified optimum, knowing the whole path, is {best} s: {} (tolerance {} %).{}{}{}",
+            "{head} where the {}: {} (tolerance {} %).{}{}{}{}",
+            optimum.in_words(&best),
             self.apart(),
             100.0 * tolerance,
+            self.open(),
             self.less(),
             self.trailing(),
             self.idle()
+        )
+    }
+
+    /// What an open verdict lacks.
+    fn open(&self) -> String {
+        if self.status != VerdictStatus::Open {
+            return String::new();
+        }
+        let [lower, upper] = self.range;
+        let narrower = match self.judged.optimum.certified_for {
+            CertifiedFor::Nodes => "raise `optimum.grid_points`",
+            CertifiedFor::Path | CertifiedFor::Spline => "ask for a smaller `optimum.gap` with more `optimum.cells`",
+        };
+        format!(
+            " The bounds of the optimum leave the ratio between {lower:.6} and {upper:.6}, with the tolerance's edge between: \
+             {narrower}, or change `compare.tolerance`."
         )
     }
 
@@ -130,11 +197,16 @@ impl Comparison<'_> {
                 short(1e3 * turn)
             )
         } else {
-            format!(
-                "a method's use of a limit counts to {} %, and the optimum is as exact as its grid of {} points",
-                100.0 * LIMIT_SLACK,
-                optimum.grid_points
-            )
+            let slack = format!("a method's use of a limit counts to {} %", 100.0 * LIMIT_SLACK);
+            match optimum.certified_for {
+                CertifiedFor::Nodes => {
+                    format!(
+                        "{slack}, and the optimum is as exact as its grid of {} points",
+                        optimum.on_grid.grid_points
+                    )
+                }
+                CertifiedFor::Path | CertifiedFor::Spline => slack,
+            }
         };
         format!(" It did not beat the optimum: {cause}.")
     }
@@ -156,10 +228,25 @@ impl Comparison<'_> {
     /// A target rate that never reaches the limits leaves a regulated method nothing to regulate.
     fn idle(&self) -> String {
         let Judged { entry, trace, .. } = self.judged;
-        if self.holds || !entry.summary.method.is_regulated() || reached_a_limit(entry, trace) {
+        if self.status == VerdictStatus::Holds || !entry.summary.method.is_regulated() || reached_a_limit(entry, trace)
+        {
             String::new()
         } else {
             " The limits were never reached: raise `control.target_rate`.".into()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_bounds_that_agree_decide_a_verdict() {
+        let of = |lower, upper| VerdictStatus::of([lower, upper], 0.02);
+        assert_eq!([of(1.0, 1.01), of(0.99, 1.02)], [VerdictStatus::Holds; 2]);
+        assert_eq!([of(1.03, 1.04), of(0.9, 0.97)], [VerdictStatus::Fails; 2]);
+        assert_eq!([of(1.01, 1.03), of(0.97, 1.01), of(0.9, 1.1), of(1.0, f64::INFINITY)], [VerdictStatus::Open; 4]);
+        assert_eq!(of(f64::NAN, f64::NAN), VerdictStatus::Fails);
     }
 }

@@ -19,6 +19,28 @@ pub struct LimitUse {
     pub share: f64,
 }
 
+/// A motion of the joints at an instant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JointMotion {
+    /// Path parameter.
+    pub lambda: f64,
+    /// Configuration, rad (m).
+    pub q: Vec<f64>,
+    /// Speeds, rad/s (m/s).
+    pub speed: Vec<f64>,
+    /// Accelerations, rad/s² (m/s²).
+    pub acceleration: Vec<f64>,
+}
+
+/// What a motion of the joints asks of the robot at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionInstant {
+    /// Torques, Nm (N for joints that slide); `None` without masses.
+    pub torque: Option<Vec<f64>>,
+    /// The limit that it uses most.
+    pub limit: Option<LimitUse>,
+}
+
 /// The motion at one sample: speeds are held over samples, accelerations are their change over one.
 struct Instant<const N: usize> {
     lambda: f64,
@@ -58,6 +80,28 @@ impl<const N: usize> Problem<N> {
             largest = largest.max(limits.ratio(&std::array::from_fn(|i| sample.commanded[i])));
         }
         Ok(largest)
+    }
+
+    pub(crate) fn motion_instant(&self, motion: &JointMotion) -> MotionInstant {
+        let vector = |values: &[f64]| JointVector::<N>::from_fn(|i, _| values[i]);
+        let (q, speed, acceleration) = (vector(&motion.q), vector(&motion.speed), vector(&motion.acceleration));
+        let jacobian = self.path.arm.jacobian(&q);
+        let length = |twist: nalgebra::Vector6<f64>| twist.fixed_rows::<3>(0).norm();
+        let instant = Instant {
+            lambda: motion.lambda,
+            q,
+            speed,
+            acceleration,
+            tool_speed: length(jacobian * speed),
+            tool_acceleration: length(jacobian * acceleration + self.path.arm.bias_acceleration(&q, &speed)),
+        };
+        let mut uses = self.uses(&instant);
+        if self.path.speed_along.is_none() {
+            let (lower, upper) = (*self.path.speed_limits.lower(), *self.path.speed_limits.upper());
+            uses.extend(worst(LimitKind::JointSpeed, motion.lambda, &speed, &JointRange { lower, upper }));
+        }
+        let torque = self.dynamics.as_ref().map(|d| d.inverse(&q, &speed, &acceleration).iter().copied().collect());
+        MotionInstant { torque, limit: uses.into_iter().max_by(|a, b| a.share.total_cmp(&b.share)) }
     }
 
     fn instant(&self, before: &Sample, here: &Sample, period: f64) -> Instant<N> {

@@ -1,6 +1,8 @@
 use super::error::CurveError;
+use super::polynomial_piece::PolynomialPiece;
 use super::waypoints::{Waypoints, segment};
 use nalgebra::SVector;
+use std::ops::Range;
 
 /// Straight lines between way-points, rounded by parabolas: once continuously differentiable.
 ///
@@ -68,6 +70,25 @@ impl<const D: usize> BlendedLines<D> {
         let since = t + self.widths[i];
         let second = (to - from) / (2.0 * self.widths[i]);
         [self.waypoints.points()[i] + from * t + second * (0.5 * since * since), from + second * since, second]
+    }
+
+    /// The lines and the parabolas between them, within a range of the path parameter.
+    #[must_use]
+    pub fn polynomials(&self, range: &Range<f64>) -> Vec<PolynomialPiece<D>> {
+        let (at, points) = (self.waypoints.at(), self.waypoints.points());
+        let mut pieces = Vec::new();
+        for (i, slope) in self.slopes.iter().enumerate() {
+            let (start, end) = (at[i] + self.widths[i], at[i + 1] - self.widths[i + 1]);
+            if end > start {
+                pieces.push(PolynomialPiece { start, end, powers: vec![points[i] + slope * self.widths[i], *slope] });
+            }
+            if self.widths[i + 1] > 0.0 {
+                let (start, end) = (at[i + 1] - self.widths[i + 1], at[i + 1] + self.widths[i + 1]);
+                let [point, slope, second] = self.blend(i + 1, start);
+                pieces.push(PolynomialPiece { start, end, powers: vec![point, slope, second * 0.5] });
+            }
+        }
+        PolynomialPiece::within(pieces, range)
     }
 
     /// Path parameters of the corners, where the first derivative jumps: none with blends, none where the line goes on
@@ -149,6 +170,22 @@ mod tests {
         assert!((lines.at(0.0)[0]).norm() < ROUNDING);
         assert!((lines.at(3.5)[0] - Vector2::new(-1.0, 2.5)).norm() < ROUNDING);
         assert_eq!(lines.at(2.0), [Vector2::new(1.0, 1.0), Vector2::new(0.0, 1.0), Vector2::zeros()]);
+    }
+
+    #[test]
+    fn the_polynomials_are_the_curve_and_follow_one_another_without_a_gap() {
+        for (share, range, count) in [(0.25, 0.0..3.5, 5), (0.25, 0.9..3.1, 3), (0.0, 0.5..3.5, 3)] {
+            let lines = zigzag(share);
+            let pieces = lines.polynomials(&range);
+            assert_eq!(pieces.len(), count);
+            assert_eq!((pieces[0].start, pieces[count - 1].end), (range.start, range.end));
+            assert!(pieces.windows(2).all(|w| w[0].end == w[1].start));
+            for piece in &pieces {
+                let t = 0.3 * (piece.end - piece.start);
+                let value = piece.powers.iter().rev().fold(Vector2::zeros(), |sum, c| sum * t + c);
+                assert!((value - lines.at(piece.start + t)[0]).norm() < ROUNDING);
+            }
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 use super::error::CurveError;
+use super::polynomial_piece::PolynomialPiece;
 use super::waypoints::{Waypoints, segment};
 use nalgebra::SVector;
+use std::ops::Range;
 
 /// End conditions of a spline, besides passing through its first and last way-point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -85,6 +87,20 @@ impl<const D: usize> CubicSpline<D> {
             s0 + (square * 2.0 + cube * (3.0 * u)) * u,
             (square * 2.0 + cube * (6.0 * u)) / h,
         ]
+    }
+
+    /// The cubics between neighbouring way-points, within a range of the path parameter.
+    #[must_use]
+    pub fn polynomials(&self, range: &Range<f64>) -> Vec<PolynomialPiece<D>> {
+        let (at, points) = (self.waypoints.at(), self.waypoints.points());
+        let cubic = |i: usize| {
+            let (start, end) = (at[i], at[i + 1]);
+            let h = end - start;
+            let (s0, s1, d) = (self.slopes[i], self.slopes[i + 1], (points[i + 1] - points[i]) / h);
+            let powers = vec![points[i], s0, (d * 3.0 - s0 * 2.0 - s1) / h, (s0 + s1 - d * 2.0) / (h * h)];
+            PolynomialPiece { start, end, powers }
+        };
+        PolynomialPiece::within((0..at.len() - 1).map(cubic).collect(), range)
     }
 
     /// The way-points.

@@ -1,7 +1,12 @@
 mod excesses;
+mod fit;
+mod hermite;
+pub(crate) mod polynomials;
 mod rows;
 pub(crate) mod sampled;
 mod tracing;
+mod track;
+pub(crate) mod whole;
 
 use crate::error::ProblemError;
 use crate::path_problem::PathProblem;

@@ -17,6 +17,14 @@ pub enum LimitKind {
     ToolAcceleration,
 }
 
+impl LimitKind {
+    /// Whether it is one of a joint, rather than of the tool.
+    #[must_use]
+    pub fn is_of_a_joint(self) -> bool {
+        matches!(self, Self::JointSpeed | Self::JointAcceleration | Self::JointTorque)
+    }
+}
+
 impl fmt::Display for LimitKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

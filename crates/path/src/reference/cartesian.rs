@@ -15,6 +15,7 @@ pub struct CartesianPath {
     end: f64,
     position: PositionCurve,
     orientation: OrientationCurve,
+    kinks: Vec<f64>,
 }
 
 impl CartesianPath {
@@ -32,8 +33,9 @@ impl CartesianPath {
         if !(start < end) {
             return Err(ProblemError::value("path.end", Fault::NotIncreasing { before: start, after: end }));
         }
-        let path = Self { start, end, position, orientation };
+        let mut path = Self { start, end, position, orientation, kinks: Vec::new() };
         path.check_finite()?;
+        path.kinks = path.find_kinks();
         Ok(path)
     }
 
@@ -63,15 +65,21 @@ impl CartesianPath {
         }
     }
 
-    /// Path parameters strictly inside the path where its derivative jumps, increasing.
+    /// Path parameters strictly inside the path where its derivative jumps, increasing. Those of formulas (`abs`, `min`, `max`) are found from its
+    /// change between a thousand points: of two between neighbouring points one may be missed.
     #[must_use]
-    pub fn kinks(&self) -> Vec<f64> {
-        let mut kinks = self.position.kinks();
-        kinks.extend(self.orientation.kinks());
-        kinks.retain(|&at| at > self.start && at < self.end);
-        kinks.sort_by(f64::total_cmp);
-        // Corners of position and orientation that rounding alone keeps apart are one.
+    pub fn kinks(&self) -> &[f64] {
+        &self.kinks
+    }
+
+    fn find_kinks(&self) -> Vec<f64> {
+        let range = self.start..self.end;
+        let mut kinks = self.position.kinks(&range);
+        kinks.extend(self.orientation.kinks(&range));
+        // Corners of position and orientation that rounding alone keeps apart are one, and one that it keeps from an end is none.
         let rounding = 1e-12 * (self.end - self.start);
+        kinks.retain(|&at| at > self.start + rounding && at < self.end - rounding);
+        kinks.sort_by(f64::total_cmp);
         kinks.dedup_by(|b, a| *b - *a <= rounding);
         kinks
     }

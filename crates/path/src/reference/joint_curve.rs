@@ -1,4 +1,4 @@
-use crate::curve::{BlendedLines, CubicSpline};
+use crate::curve::{BlendedLines, CubicSpline, PolynomialPiece};
 use slideway_robot::JointVector;
 use std::ops::Range;
 
@@ -56,6 +56,17 @@ impl<const N: usize> JointCurve<N> {
             Shape::Lines(lines) => {
                 lines.kinks().into_iter().filter(|at| *at > self.range.start && *at < self.range.end).collect()
             }
+        }
+    }
+
+    /// The polynomials that the path consists of, in the order of the path.
+    #[must_use]
+    pub fn polynomials(&self) -> Vec<PolynomialPiece<N>> {
+        let Range { start, end } = self.range;
+        match &self.shape {
+            Shape::Line { from, rate } => vec![PolynomialPiece { start, end, powers: vec![*from, *rate] }],
+            Shape::Spline(spline) => spline.polynomials(&self.range),
+            Shape::Lines(lines) => lines.polynomials(&self.range),
         }
     }
 

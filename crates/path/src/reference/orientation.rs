@@ -1,9 +1,10 @@
 use crate::curve::{CurveError, RotationPoint, Slerp, Squad};
 use crate::formula::Formula;
 use crate::reference::point::EulerPoint;
-use crate::reference::position::{Curve3, evaluate};
+use crate::reference::position::{Curve3, evaluate, kinks};
 use nalgebra::{Rotation3, Vector3};
 use slideway_robot::euler;
+use std::ops::Range;
 
 /// Orientation along the path: Euler triples, or rotations.
 #[derive(Clone, Debug)]
@@ -82,11 +83,12 @@ impl OrientationCurve {
     }
 
     /// Path parameters where the first derivative jumps.
-    pub(crate) fn kinks(&self) -> Vec<f64> {
+    pub(crate) fn kinks(&self, range: &Range<f64>) -> Vec<f64> {
         match self {
             Self::PiecewiseLinear(knots) => knots.iter().map(|k| k.at).collect(),
             Self::Slerp(slerp) => slerp.kinks(),
-            Self::Constant(_) | Self::Formula(_) | Self::Squad(_) => Vec::new(),
+            Self::Formula(formulas) => kinks(formulas, range),
+            Self::Constant(_) | Self::Squad(_) => Vec::new(),
         }
     }
 }

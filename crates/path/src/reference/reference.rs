@@ -45,7 +45,7 @@ impl<const N: usize> Reference<N> {
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         match self {
-            Self::Tool(tool) => tool.path.kinks(),
+            Self::Tool(tool) => tool.path.kinks().to_vec(),
             Self::Joint(curve) => curve.kinks(),
         }
     }

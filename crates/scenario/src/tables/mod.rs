@@ -255,6 +255,21 @@ pub(crate) enum FactorName {
 #[serde(deny_unknown_fields)]
 pub(crate) struct OptimumTable {
     pub(crate) grid_points: Option<u32>,
+    pub(crate) gap: Option<Number>,
+    pub(crate) cells: Option<u32>,
+    #[serde(default)]
+    pub(crate) solver: SolverName,
+}
+
+/// A solver of the optimum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverName {
+    /// The project's own interior points on the structure of the problem.
+    #[default]
+    Structured,
+    /// The conic solver Clarabel.
+    Conic,
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
