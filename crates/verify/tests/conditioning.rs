@@ -83,7 +83,14 @@ fn a_push_that_drives_a_constraint_outwards_has_lost_and_is_not_tuned() {
     assert!(share.value == f64::INFINITY && !share.holds() && !stated.accepts());
     assert!(upper(&stated, "phi").is_none() && upper(&stated, "chattering").is_none());
     assert!(share.remedy.as_deref().is_some_and(|remedy| remedy.contains("reserve_rate")), "{share:?}");
-    let request = TuneRequest { name: "mine".into(), text: text.clone(), file: None, chattering: 0.05, rate: 2000.0 };
+    let request = TuneRequest {
+        name: "mine".into(),
+        text: text.clone(),
+        file: None,
+        method: None,
+        chattering: 0.05,
+        rate: 2000.0,
+    };
     assert!(matches!(tune(&request), Ok(TuneOutcome::Impossible(_))));
     // With what the remedy says it holds.
     let text = text.replace("push_cutoff", "reserve_rate = 1\npush_cutoff");

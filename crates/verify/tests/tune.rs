@@ -9,7 +9,7 @@ type Outcome = Result<(), Box<dyn Error>>;
 
 fn request(name: &str, chattering: f64, rate: f64) -> Result<TuneRequest, Box<dyn Error>> {
     let text = BUILT_IN.iter().find(|b| b.name == name).ok_or("no such scenario")?.text.to_owned();
-    Ok(TuneRequest { name: name.into(), text, file: None, chattering, rate })
+    Ok(TuneRequest { name: name.into(), text, file: None, method: None, chattering, rate })
 }
 
 fn tuned(request: &TuneRequest) -> Result<Tuned, Box<dyn Error>> {
@@ -120,5 +120,84 @@ fn what_makes_no_sense_is_refused() -> Outcome {
     }
     let judged_by_acceleration = request("planar-bend", 0.1, 1000.0)?;
     assert!(matches!(tune(&judged_by_acceleration), Err(VerifyError::NoClaims { .. })));
+    Ok(())
+}
+
+/// Paths without a rate somewhere, and with one everywhere.
+const JOINTS: &str = "
+    robot.model = 'planar-2r'
+    path.joints.lines = { points = [[0, 0], [1, 1], [0, 2]], blend = 0.2 }
+    limits.speed = 1
+    control = { gain = 10, sampling_period = 1e-3, bandwidth = 20, target_rate = 3 }
+";
+
+#[test]
+fn no_proposal_has_a_number_that_is_none_whatever_the_path_and_the_method() {
+    let mut proposed = 0;
+    for (path, text) in [
+        ("corner", JOINTS.replace("blend = 0.2", "blend = 0")),
+        ("round", JOINTS.to_owned()),
+        ("back", JOINTS.replace("[0, 2]", "[0, 0]")),
+        ("slow", JOINTS.replace("speed = 1", "speed = 1e-6")),
+        (
+            "formula",
+            JOINTS.replace(
+                "lines = { points = [[0, 0], [1, 1], [0, 2]], blend = 0.2 }",
+                "formula = ['abs(lambda - 0.5)', 'lambda']",
+            ),
+        ),
+    ] {
+        for method in ["sliding-mode", "sliding-mode-synchronised", "sliding-mode-implicit"] {
+            for (chattering, rate) in [(0.05, 1000.0), (1e-4, 200.0)] {
+                let asked = TuneRequest {
+                    name: path.into(),
+                    text: text.clone(),
+                    file: None,
+                    method: Some(method.into()),
+                    chattering,
+                    rate,
+                };
+                match tune(&asked) {
+                    Ok(TuneOutcome::Tuned(tuned)) => {
+                        proposed += 1;
+                        assert!(tuned.changes.iter().all(|change| change.after.is_finite() && change.after > 0.0));
+                        assert!(
+                            !tuned.text.to_lowercase().contains("nan") && !tuned.text.contains("inf"),
+                            "{}",
+                            tuned.text
+                        );
+                        assert!(!tuned.trade_off.join(" ").contains("NaN"), "{:?}", tuned.trade_off);
+                    }
+                    Ok(TuneOutcome::Impossible(impossible)) => {
+                        let numbers = [impossible.rate, impossible.chattering];
+                        assert!(
+                            numbers.iter().flatten().all(|x| x.is_finite() && *x > 0.0),
+                            "{path} {method}: {numbers:?}"
+                        );
+                        assert!(!impossible.reason.contains("NaN"), "{}", impossible.reason);
+                    }
+                    // What is wrong is wrong with the text as it was given, not with a proposal.
+                    Err(error) => assert!(!error.to_string().contains("nan"), "{path} {method}: {error}"),
+                }
+            }
+        }
+    }
+    assert!(proposed > 0);
+}
+
+#[test]
+fn a_method_is_chosen_by_name_and_an_unknown_one_is_answered_with_those_there_are() -> Result<(), VerifyError> {
+    let asked = |method: &str| TuneRequest {
+        name: "mine".into(),
+        text: JOINTS.into(),
+        file: None,
+        method: Some(method.into()),
+        chattering: 0.1,
+        rate: 1000.0,
+    };
+    let TuneOutcome::Tuned(tuned) = tune(&asked("sliding-mode-implicit"))? else { panic!("not possible") };
+    assert_eq!(tuned.statement.method, "sliding-mode-implicit");
+    let refused = tune(&asked("ideal"));
+    assert!(matches!(refused, Err(VerifyError::UnknownMethod { known, .. }) if known.contains(&"sliding-mode")));
     Ok(())
 }

@@ -16,7 +16,14 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     }
     let (name, text) = source(&arguments.scenario)?;
     let file = Some(PathBuf::from(&arguments.scenario)).filter(|path| path.exists());
-    let request = TuneRequest { name, text, file, chattering: arguments.chattering, rate: arguments.rate };
+    let request = TuneRequest {
+        name,
+        text,
+        file,
+        method: arguments.method.clone(),
+        chattering: arguments.chattering,
+        rate: arguments.rate,
+    };
     let outcome = tune(&request).map_err(|error| in_file(error, arguments, &request))?;
     if let (TuneOutcome::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
         create(out.clone(), |file| file.write_all(tuned.text.as_bytes()))?;

@@ -1,5 +1,5 @@
 use super::document::{Setting, replaced};
-use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use super::{Impossible, MARGIN, TuneOutcome, TuneRequest, Tuned, bound, predictions, without_number};
 use crate::error::VerifyError;
 use crate::statement::{ConditioningCase, Statement, room, shown_down, shown_up};
 use slideway_conditioner::path::SwitchingLaw;
@@ -27,10 +27,16 @@ enum Found {
     },
     /// Constraints share a push that drives one of them outwards.
     Loses,
+    /// A number that the proposal goes by is none.
+    NoNumber(&'static str),
 }
 
 pub(super) fn tune(request: &TuneRequest) -> Result<TuneOutcome, VerifyError> {
+    if let Some(name) = request.method.as_deref().filter(|name| *name != PathMethod::SlidingMode.name()) {
+        return Err(VerifyError::unknown_method(name, vec![PathMethod::SlidingMode.name()]));
+    }
     match at(request, request.rate)? {
+        Found::NoNumber(what) => Ok(TuneOutcome::Impossible(without_number(what))),
         Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(report(*candidate)))),
         Found::TooCoarse { amplitude } => Ok(TuneOutcome::Impossible(Impossible {
             reason: format!("at {} Hz the push that beats the drift of one sample moves φ further", request.rate),
@@ -98,11 +104,11 @@ fn at(request: &TuneRequest, rate: f64) -> Result<Found, VerifyError> {
             let needed = (room(contact.push) * least / tried.strength + fall).max(room(contact.rise));
             return Ok(Found::TooCoarse { amplitude: needed.max(1.02 * request.chattering) });
         }
-        tried = candidate(
-            request,
-            rate,
-            Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))),
-        )?;
+        let strength = shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most));
+        if !(strength > 0.0 && strength.is_finite()) {
+            return Ok(Found::NoNumber("push"));
+        }
+        tried = candidate(request, rate, Some(strength))?;
     }
     Ok(Found::TooCoarse { amplitude: (1.05 * request.chattering).max(room(tried.case.nominal().push)) })
 }
@@ -119,7 +125,7 @@ fn enough(request: &TuneRequest, amplitude: f64) -> Result<Option<f64>, VerifyEr
         match at(request, rate)? {
             Found::Does(_) => return Ok(Some(rate)),
             Found::TooCoarse { amplitude } => rate *= by(amplitude),
-            Found::Loses => return Ok(None),
+            Found::Loses | Found::NoNumber(_) => return Ok(None),
         }
     }
     Ok(None)

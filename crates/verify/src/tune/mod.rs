@@ -22,6 +22,8 @@ pub struct TuneRequest {
     pub text: String,
     /// Its file, if it has one: files that the scenario names lie beside it.
     pub file: Option<PathBuf>,
+    /// The method in place of the scenario's, by name.
+    pub method: Option<String>,
     /// Greatest chattering amplitude: of the desired joint speeds as a share of their limits, or of `φ` in m.
     pub chattering: f64,
     /// Sampling rate, Hz.
@@ -122,6 +124,15 @@ fn predictions(statement: &Statement) -> Vec<Prediction> {
         unit: g.unit.clone(),
     };
     statement.guarantees.iter().map(shown).collect()
+}
+
+/// What no number would mend where a number of the run is none.
+fn without_number(what: &str) -> Impossible {
+    let reason = format!(
+        "the run of the scenario gives no finite {what} to go by: at a corner the joints' direction jumps, and at a singularity the limits leave \
+         no rate. Round corners (`blend` above 0), or lead the path around the singularity"
+    );
+    Impossible { reason, rate: None, chattering: None }
 }
 
 /// Greatest value that a statement guarantees of a quantity; infinite if it guarantees none.
