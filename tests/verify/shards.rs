@@ -54,7 +54,7 @@ fn a_statement_with_a_number_that_is_none_is_the_same_in_all_shards() {
     let shards = write_shards(folder.path(), &whole, 2);
     let (status, printed) = merge(folder.path(), &shards, "out");
     assert_eq!(status, 1, "{printed}");
-    assert_eq!(parsed(&read(folder.path(), "out/verify.json"))["hypotheses"][0]["value"], "NaN");
+    assert!(parsed(&read(folder.path(), "out/verify.json"))["hypotheses"][0]["value"].is_null());
 }
 
 #[test]

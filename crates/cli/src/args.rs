@@ -287,6 +287,9 @@ pub(crate) struct TuneArguments {
     /// Sampling rate, Hz.
     #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     pub(crate) rate: f64,
+    /// Method to tune for (default: the one that the scenario's verdict is about).
+    #[arg(long, value_name = "NAME")]
+    pub(crate) method: Option<String>,
     /// Write the scenario with the proposed values to this file.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

@@ -94,6 +94,21 @@ fn a_verdict_of_arrival_agrees_with_where_the_point_rests() {
         let verdict = &comparison.summary.verdict;
         let entry =
             &comparison.summary.methods.iter().find(|m| m.summary.method == PathMethod::SlidingMode).expect("run");
+        // A "no" names every cause that the numbers have, and none that they have not.
+        let broken = entry.summary.max_sigma_m.iter().any(|sigma| *sigma > 0.0);
+        for (words, is_so) in [
+            ("broke `", broken),
+            ("its point never arrived", entry.summary.completed && entry.arrival.arrives_after_s.is_none()),
+            ("did not reach its end", !entry.summary.completed),
+            ("it was held for", entry.summary.audit.held_share > 0.0),
+            ("a trap held the point", entry.arrival.trapped_s > 0.0 && entry.summary.escape_s.is_none()),
+        ] {
+            assert_eq!(verdict.sentence.contains(words), is_so, "{seed}: {words}: {}", verdict.sentence);
+        }
+        assert_eq!(
+            verdict.holds,
+            !broken && entry.arrival.arrives_after_s.is_some() && entry.summary.audit.held_share == 0.0
+        );
         // The truth: the same scene with the reference at rest at its end for three seconds, twenty time constants.
         let held = problem(&scene(&mut Numbers(seed), 1.5)).expect("the same scene");
         let trace = run_conditioner(&held, PathMethod::SlidingMode).expect("runs");

@@ -2,7 +2,7 @@
 
 mod support;
 
-use slideway_scenario::{AnyScenario, TunedScenario, Tuning, TuningError};
+use slideway_scenario::{AnyScenario, ScenarioError, TunedScenario, Tuning, TuningError};
 use slideway_verify::{Impossible, MARGIN, Statement, TuneRequest, VerifyError};
 use std::error::Error;
 use support::statement;
@@ -136,5 +136,73 @@ fn what_makes_no_sense_is_refused() -> Outcome {
     }
     let judged_by_acceleration = asked("planar-bend", 0.1, 1000.0)?.tune();
     assert!(matches!(judged_by_acceleration, Err(TuningError::Verify(VerifyError::NoClaims { .. }))));
+    Ok(())
+}
+
+/// Paths without a rate somewhere, and with one everywhere.
+const JOINTS: &str = "
+    robot.model = 'planar-2r'
+    path.joints.lines = { points = [[0, 0], [1, 1], [0, 2]], blend = 0.2 }
+    limits.speed = 1
+    control = { gain = 10, sampling_period = 1e-3, bandwidth = 20, target_rate = 3 }
+";
+
+#[test]
+fn no_proposal_has_a_number_that_is_none_whatever_the_path_and_the_method() {
+    let mut proposed = 0;
+    for (path, text) in [
+        ("corner", JOINTS.replace("blend = 0.2", "blend = 0")),
+        ("round", JOINTS.to_owned()),
+        ("back", JOINTS.replace("[0, 2]", "[0, 0]")),
+        ("slow", JOINTS.replace("speed = 1", "speed = 1e-6")),
+        (
+            "formula",
+            JOINTS.replace(
+                "lines = { points = [[0, 0], [1, 1], [0, 2]], blend = 0.2 }",
+                "formula = ['abs(lambda - 0.5)', 'lambda']",
+            ),
+        ),
+    ] {
+        for method in ["sliding-mode", "sliding-mode-synchronised", "sliding-mode-implicit"] {
+            for (chattering, rate) in [(0.05, 1000.0), (1e-4, 200.0)] {
+                let scenario = AnyScenario::parse(path, &text).expect("TOML");
+                match scenario.tuned(Some(method), TuneRequest { chattering, rate }) {
+                    Ok(Tuning::Tuned(tuned)) => {
+                        proposed += 1;
+                        assert!(tuned.changes.iter().all(|change| change.after.is_finite() && change.after > 0.0));
+                        assert!(
+                            !tuned.text.to_lowercase().contains("nan") && !tuned.text.contains("inf"),
+                            "{}",
+                            tuned.text
+                        );
+                        assert!(!tuned.trade_off.join(" ").contains("NaN"), "{:?}", tuned.trade_off);
+                    }
+                    Ok(Tuning::Impossible(impossible)) => {
+                        let numbers = [impossible.rate, impossible.chattering];
+                        assert!(
+                            numbers.iter().flatten().all(|x| x.is_finite() && *x > 0.0),
+                            "{path} {method}: {numbers:?}"
+                        );
+                        assert!(!impossible.reason.contains("NaN"), "{}", impossible.reason);
+                    }
+                    // What is wrong is wrong with the text as it was given, not with a proposal.
+                    Err(error) => assert!(!error.to_string().contains("nan"), "{path} {method}: {error}"),
+                }
+            }
+        }
+    }
+    assert!(proposed > 0);
+}
+
+#[test]
+fn a_method_is_chosen_by_name_and_an_unknown_one_is_answered_with_those_there_are() -> Outcome {
+    let mine = AnyScenario::parse("mine", JOINTS)?;
+    let asked = |method: &str| mine.tuned(Some(method), TuneRequest { chattering: 0.1, rate: 1000.0 });
+    let Tuning::Tuned(tuned) = asked("sliding-mode-implicit")? else { panic!("not possible") };
+    assert_eq!(tuned.statement.method, "sliding-mode-implicit");
+    assert!(matches!(asked("ideal"), Err(TuningError::Verify(VerifyError::NoClaims { .. }))));
+    let refused = asked("slidng-mode");
+    let Err(TuningError::Scenario(ScenarioError::UnknownMethod { known, .. })) = refused else { panic!("{refused:?}") };
+    assert!(known.contains(&"sliding-mode"));
     Ok(())
 }

@@ -5,6 +5,7 @@ use crate::say::table::{Column, Table};
 use crate::say::words::{decimals, escape, short};
 use slideway_compare::{ConditioningSummary, PathMethodEntry};
 use slideway_figures::Rendered;
+use slideway_lab::conditioning::PathMethod;
 
 const COLUMNS: [Column<PathMethodEntry>; 13] = [
     ("method", |m| m.summary.method.name().to_owned()),
@@ -51,11 +52,12 @@ const NOTE: &str = "Columns with several numbers have one per constraint. Projec
 pub(crate) fn table(summary: &ConditioningSummary) -> String {
     let table = Table::of(&COLUMNS, &summary.methods).terminal();
     format!(
-        "{} - {}\nconstraints: {}\n{table}\n\n{}\n{NOTE}\n{}\n{}\n",
+        "{} - {}\nconstraints: {}\n{table}\n\n{}\n{NOTE}\n{}{}\n{}\n",
         summary.scenario,
         summary.description,
         summary.constraints.join(" | "),
         audit(summary),
+        diverged(summary),
         disturbed(summary),
         summary.verdict.sentence
     )
@@ -66,6 +68,20 @@ fn disturbed(summary: &ConditioningSummary) -> String {
     let words =
         |d| format!("note: the runs of the conditioner's forms are disturbed: {d}; the other methods' are not\n");
     summary.disturbances.map(words).unwrap_or_default()
+}
+
+/// A line about a potential field that could not be followed, if there was such a place.
+fn diverged(summary: &ConditioningSummary) -> String {
+    let field = summary.methods.iter().map(|m| &m.summary).find(|m| m.method == PathMethod::PotentialField);
+    let held = field.map_or(0.0, |field| field.audit.held_share);
+    if held > 0.0 {
+        let share = decimals(100.0 * held, 2);
+        format!(
+            "note: the potential field crossed a boundary or could not be followed, and was held for {share} % of the samples\n"
+        )
+    } else {
+        String::new()
+    }
 }
 
 /// How the projection was found, and the audit of the sliding mode.
@@ -100,7 +116,7 @@ pub(crate) fn render(summary: &ConditioningSummary, text: &str, figures: &[Rende
         "<h2>Methods beside the projection</h2>\n<p>Constraints: {}</p>\n{}<p class=\"note\">{NOTE}</p>\n<p class=\"note\">{}</p>\n",
         escape(&summary.constraints.join(" | ")),
         Table::of(&COLUMNS, &summary.methods).html(),
-        escape(&audit(summary)).replace('\n', "<br>"),
+        escape(format!("{}\n{}", audit(summary), diverged(summary)).trim_end()).replace('\n', "<br>"),
     );
     let page = Page {
         title: &summary.scenario,

@@ -133,7 +133,18 @@ fn filled(file: fs::File, fill: impl FnOnce(&mut dyn std::io::Write) -> std::io:
 /// A value as the text of a JSON file.
 pub(crate) fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
     let text = serde_json::to_string_pretty(value);
-    Ok(text.map_err(|error| CliError::Write { path: "standard output".into(), source: error.into() })? + "\n")
+    let text = text.map_err(|error| CliError::Write { path: "standard output".into(), source: error.into() })?;
+    Ok(text.lines().map(|line| without_words_for_numbers(line) + "\n").collect())
+}
+
+/// A line of JSON with null for a number that is none: journals keep such numbers as words, bit by bit, results do not.
+fn without_words_for_numbers(line: &str) -> String {
+    const KEYS: [&str; 8] = ["size", "measured", "bound", "margin", "value", "needed", "lower", "upper"];
+    let Some((key, value)) = line.split_once(": ") else { return line.to_owned() };
+    let is_word = ["\"NaN\"", "\"inf\"", "\"-inf\""].contains(&value.trim_end_matches(','));
+    let is_number = KEYS.contains(&key.trim().trim_matches('"'));
+    let comma = if value.ends_with(',') { "," } else { "" };
+    if is_word && is_number { format!("{key}: null{comma}") } else { line.to_owned() }
 }
 
 /// Prints a value as JSON.
@@ -144,4 +155,16 @@ pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), CliError> 
 /// Prints the summary as JSON or the table, and where the report is.
 pub(crate) fn show(json: bool, summary: &impl serde::Serialize, table: &str, out: &Path) -> Result<(), CliError> {
     if json { print_json(summary) } else { print(&format!("{table}\nwrote {}\n", out.join("report.html").display())) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_that_is_none_is_null_in_results_and_a_name_stays() {
+        let text = "{\n  \"scenario\": \"inf\",\n  \"margin\": \"-inf\",\n  \"bound\": \"NaN\"\n}";
+        let lines: Vec<String> = text.lines().map(without_words_for_numbers).collect();
+        assert_eq!(lines.join("\n"), "{\n  \"scenario\": \"inf\",\n  \"margin\": null,\n  \"bound\": null\n}");
+    }
 }

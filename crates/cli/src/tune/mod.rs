@@ -17,7 +17,9 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     }
     let scenario = load(&arguments.scenario)?;
     let request = TuneRequest { chattering: arguments.chattering, rate: arguments.rate };
-    let outcome = scenario.tuned(None, request).map_err(|error| in_file(error, arguments, scenario.text()))?;
+    let outcome = scenario
+        .tuned(arguments.method.as_deref(), request)
+        .map_err(|error| in_file(error, arguments, scenario.text()))?;
     if let (Tuning::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
         create(out.clone(), |file| file.write_all(tuned.text.as_bytes()))?;
     }

@@ -1,7 +1,7 @@
 use crate::conditioning::arrival::Arrival;
 use crate::conditioning::convergence::Convergence;
 use crate::rivals::ProjectedTrace;
-use crate::words::decimals;
+use crate::words::{decimals, fixed};
 use serde::Serialize;
 use slideway_lab::conditioning::{PathDisturbances, PathMethod, PathMethodSummary};
 
@@ -89,6 +89,10 @@ impl ConditioningVerdict {
         if let (Some(ratio), Some(least)) = (ratio, least) {
             let (least, ratio) = (decimals(1e3 * least, 2), decimals(ratio, 2));
             sentence += &format!("; no method can be nearer than {least} mm, the projection ({ratio} times that)");
+        }
+        if let (false, Some(tolerance)) = (near, tolerance) {
+            let [excess, allowed] = fixed([100.0 * (ratio.unwrap_or(f64::NAN) - 1.0), 100.0 * tolerance], 2);
+            sentence += &format!("; that is {excess} % more, and the tolerance is {allowed} %");
         }
         sentence += &arrival_in_words(entry, arrival);
         if entry.audit.held_share > 0.0 {

@@ -5,7 +5,7 @@ use crate::speed::whole::CertifiedFor;
 use crate::words::{fixed, short};
 use serde::Serialize;
 use slideway_lab::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Method};
-use slideway_path::{PositionExcess, PositionSource};
+use slideway_path::{LimitKind, PositionExcess, PositionSource};
 
 /// A verdict on speed: does the judged method match the optimum?
 #[derive(Clone, Debug, Serialize)]
@@ -190,6 +190,12 @@ impl Comparison<'_> {
         let disturbed = !disturbances.are_none() && !entry.summary.method.surveys_the_path();
         let cause = if disturbed {
             format!("the run is disturbed ({disturbances}), the optimum is not")
+        } else if let Some((distance, turn)) = self.begun_off() {
+            format!(
+                "its robot began {} mm and {} mrad off the path, where the optimum's begins on it",
+                short(1e3 * distance),
+                short(1e3 * turn)
+            )
         } else if distance > ARRIVAL_POSITION || turn > ARRIVAL_ORIENTATION {
             format!(
                 "its tool was up to {} mm and {} mrad from its reference, lag included, where the optimum's is on the path",
@@ -197,18 +203,42 @@ impl Comparison<'_> {
                 short(1e3 * turn)
             )
         } else {
-            let slack = format!("a method's use of a limit counts to {} %", 100.0 * LIMIT_SLACK);
-            match optimum.certified_for {
+            self.beyond_a_limit().unwrap_or_else(|| match optimum.certified_for {
+                CertifiedFor::Path | CertifiedFor::Spline => "it keeps every limit, as far as it was sampled".into(),
                 CertifiedFor::Nodes => {
+                    let grid = &optimum.on_grid;
+                    let [time, refined] = fixed([optimum.duration_s, grid.refined_s], 6);
                     format!(
-                        "{slack}, and the optimum is as exact as its grid of {} points",
-                        optimum.on_grid.grid_points
+                        "it keeps every limit, and the optimum is as exact as its grid of {} points: {time} s, and {refined} s on one twice as fine",
+                        grid.grid_points
                     )
                 }
-                CertifiedFor::Path | CertifiedFor::Spline => slack,
-            }
+            })
         };
         format!(" It did not beat the optimum: {cause}.")
+    }
+
+    /// How far off the path the robot was when the reference began to move, m and rad, where that is the most it ever was.
+    fn begun_off(&self) -> Option<(f64, f64)> {
+        let Judged { entry, trace, .. } = self.judged;
+        let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
+        let first = trace.following().iter().find(|sample| sample.path_rate > 0.0)?;
+        let (distance, turn) = (norm(&first.error[..3]), norm(&first.error[3..]));
+        let most = (entry.summary.peak_path_error_m, entry.summary.peak_path_error_rad);
+        let off = distance > ARRIVAL_POSITION && distance >= most.0 || turn > ARRIVAL_ORIENTATION && turn >= most.1;
+        off.then_some((distance, turn))
+    }
+
+    /// The limit that is exceeded most, within what counts as kept.
+    fn beyond_a_limit(&self) -> Option<String> {
+        let entry = self.judged.entry;
+        let uses = entry.limit_use.iter().map(|u| (u.kind, u.share));
+        let (kind, share) =
+            uses.chain([(LimitKind::JointSpeed, entry.command_use)]).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (share > 1.0).then(|| {
+            let (excess, counts) = (short(100.0 * (share - 1.0)), 100.0 * LIMIT_SLACK);
+            format!("it exceeds the limits on {kind} by {excess} %, and up to {counts} % counts as kept")
+        })
     }
 
     /// The reference's end and the robot's arrival, where they differ by more than a sample.

@@ -1,4 +1,4 @@
-use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions, without_number};
 use crate::error::VerifyError;
 use crate::statement::{ConditioningCase, Statement, room, shown_down, shown_up};
 use slideway_conditioner::path::SwitchingLaw;
@@ -24,6 +24,8 @@ enum Found {
     },
     /// Constraints share a push that drives one of them outwards.
     Loses,
+    /// A number that the proposal goes by is none.
+    NoNumber(&'static str),
 }
 
 /// Proposes parameters of the conditioner. `with` gives the problem with values in the place of its own.
@@ -38,8 +40,12 @@ pub fn tune_conditioning<E: From<VerifyError>>(
     with: impl Fn(&[ProposedValue]) -> Result<ConditioningProblem, E>,
 ) -> Result<TuneOutcome, E> {
     request.check()?;
+    if method != PathMethod::SlidingMode {
+        return Err(VerifyError::NoClaims { method: method.name().to_owned() }.into());
+    }
     let tuner = Tuner { request, method, push: Push::of(problem.law), with };
     Ok(match tuner.at(request.rate)? {
+        Found::NoNumber(what) => TuneOutcome::Impossible(without_number(what)),
         Found::Does(candidate) => TuneOutcome::Tuned(Box::new(report(*candidate))),
         Found::TooCoarse { amplitude } => TuneOutcome::Impossible(Impossible {
             reason: format!("at {} Hz the push that beats the drift of one sample moves φ further", request.rate),
@@ -114,10 +120,11 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<ConditioningProblem
                 let needed = (room(contact.push) * least / tried.strength + fall).max(room(contact.rise));
                 return Ok(Found::TooCoarse { amplitude: needed.max(1.02 * self.request.chattering) });
             }
-            tried = self.candidate(
-                rate,
-                Some(shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most))),
-            )?;
+            let strength = shown_down(tried.strength.max(least).min(most)).max(shown_up(least).min(most));
+            if !(strength > 0.0 && strength.is_finite()) {
+                return Ok(Found::NoNumber("push"));
+            }
+            tried = self.candidate(rate, Some(strength))?;
         }
         Ok(Found::TooCoarse { amplitude: (1.05 * self.request.chattering).max(room(tried.case.nominal().push)) })
     }
@@ -134,7 +141,7 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<ConditioningProblem
             match self.at(rate)? {
                 Found::Does(_) => return Ok(Some(rate)),
                 Found::TooCoarse { amplitude } => rate *= by(amplitude),
-                Found::Loses => return Ok(None),
+                Found::Loses | Found::NoNumber(_) => return Ok(None),
             }
         }
         Ok(None)

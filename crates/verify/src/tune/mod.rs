@@ -107,6 +107,15 @@ fn predictions(statement: &Statement) -> Vec<Prediction> {
     statement.guarantees.iter().map(shown).collect()
 }
 
+/// What no number would mend where a number of the run is none.
+fn without_number(what: &str) -> Impossible {
+    let reason = format!(
+        "the run of the scenario gives no finite {what} to go by: at a corner the joints' direction jumps, and at a singularity the limits leave \
+         no rate. Round corners (`blend` above 0), or lead the path around the singularity"
+    );
+    Impossible { reason, rate: None, chattering: None }
+}
+
 /// Greatest value that a statement guarantees of a quantity; infinite if it guarantees none.
 fn bound(statement: &Statement, name: &str) -> f64 {
     let found = statement.guarantees.iter().find(|g| g.name == name);

@@ -1,4 +1,4 @@
-use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions};
+use super::{Impossible, MARGIN, ProposedValue, TuneOutcome, TuneRequest, Tuned, bound, predictions, without_number};
 use crate::error::VerifyError;
 use crate::statement::{SpeedCase, Statement, shown_down, shown_up};
 use slideway_lab::{Experiment, Method};
@@ -41,9 +41,10 @@ pub fn tune_speed<E: From<VerifyError>>(
     let tuner = Tuner { request, method, grid_points, with };
     match tuner.at(request.rate, &start)? {
         Found::Does(candidate) => Ok(TuneOutcome::Tuned(Box::new(tuner.report(*candidate, &start)?))),
+        Found::NoNumber(what) => Ok(TuneOutcome::Impossible(without_number(what))),
         Found::Singular => Ok(TuneOutcome::Impossible(Impossible {
             reason: "the limit falls without bound where the path meets a singularity: no filter is fast enough. Lead the path around it, or \
-                     judge `sliding-mode-implicit`, which needs none"
+                     choose `--method sliding-mode-implicit`, which needs none"
                 .into(),
             rate: None,
             chattering: None,
@@ -81,6 +82,8 @@ enum Found {
         amplitude: f64,
     },
     Singular,
+    /// A number that the proposal goes by is none.
+    NoNumber(&'static str),
 }
 
 struct Tuner<W> {
@@ -91,7 +94,8 @@ struct Tuner<W> {
 }
 
 impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tuner<W> {
-    fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Candidate, E> {
+    /// Runs the experiment with a filter; `None` where a value that it would be given is no positive number.
+    fn candidate(&self, rate: f64, step: f64, start: &Start) -> Result<Option<Candidate>, E> {
         let gain = start.gain.min(shown_down(rate / (1.0 + MARGIN)));
         let values = [
             ProposedValue { key: "control.sampling_period", value: 1.0 / rate, unit: "s" },
@@ -99,10 +103,13 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
             ProposedValue { key: "control.target_rate", value: start.target_rate, unit: "1/s" },
             ProposedValue { key: "control.gain", value: gain, unit: "1/s" },
         ];
+        if !values.iter().all(|one| one.value > 0.0 && one.value.is_finite()) {
+            return Ok(None);
+        }
         let case = SpeedCase::new((self.with)(&values)?, self.method, self.grid_points)?;
         let statement = case.statement();
         let step = case.looked.control.filter_step();
-        Ok(Candidate { values, case, statement, step })
+        Ok(Some(Candidate { values, case, statement, step }))
     }
 
     /// The slowest filter whose fall beats the path's drift with the margin; 0 where none is needed.
@@ -116,7 +123,9 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
     ///
     /// The bound is affine in the step, `c (a g + X)`, but for what the run changes of `g` and `X`: a secant through the origin's value.
     fn at(&self, rate: f64, start: &Start) -> Result<Found, E> {
-        let mut candidate = self.candidate(rate, LARGEST_STEP.min(20.0 / rate), start)?;
+        let Some(mut candidate) = self.candidate(rate, LARGEST_STEP.min(20.0 / rate), start)? else {
+            return Ok(Found::NoNumber("rate of the path"));
+        };
         for round in 0..ROUNDS {
             let slowest = self.slowest(&candidate);
             if candidate.case.looked.drift.breaks() && self.method != Method::SlidingModeImplicit {
@@ -126,7 +135,10 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
                 // Not even a filter without memory falls fast enough between two samples.
                 return Ok(Found::TooCoarse { amplitude: f64::INFINITY });
             }
-            let amplitude = bound(&candidate.statement, "chattering");
+            let amplitude = chattering(&candidate);
+            if !amplitude.is_finite() {
+                return Ok(Found::NoNumber("bound on the chattering"));
+            }
             let keeps = amplitude <= self.request.chattering && candidate.step >= slowest;
             // The last percent is not worth a run.
             let near = amplitude >= 0.97 * self.request.chattering || candidate.step >= 0.99 * LARGEST_STEP;
@@ -143,12 +155,16 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
                 return Ok(if amplitude <= self.request.chattering && keeps && candidate.statement.holds() {
                     Found::Does(Box::new(candidate))
                 } else {
-                    Found::TooCoarse { amplitude: amplitude.max(bound(&candidate.statement, "chattering")) }
+                    Found::TooCoarse { amplitude: amplitude.max(chattering(&candidate)) }
                 });
             }
-            candidate = self.candidate(rate, wanted.max(least).min(LARGEST_STEP.max(least)).min(1.0), start)?;
+            let step = wanted.max(least).min(LARGEST_STEP.max(least)).min(1.0);
+            match self.candidate(rate, step, start)? {
+                Some(next) => candidate = next,
+                None => return Ok(Found::NoNumber("bandwidth")),
+            }
         }
-        let amplitude = bound(&candidate.statement, "chattering");
+        let amplitude = chattering(&candidate);
         let slow = candidate.step >= self.slowest(&candidate);
         Ok(if amplitude <= self.request.chattering && slow && candidate.statement.holds() {
             Found::Does(Box::new(candidate))
@@ -169,7 +185,7 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
             match self.at(rate, start)? {
                 Found::Does(_) => return Ok(Some(rate)),
                 Found::TooCoarse { amplitude } => rate *= by(amplitude),
-                Found::Singular => return Ok(None),
+                Found::Singular | Found::NoNumber(_) => return Ok(None),
             }
         }
         Ok(None)
@@ -208,7 +224,7 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
             control.bandwidth,
             1e3 / control.bandwidth,
             candidate.case.chattering_per_step() * candidate.step,
-            bound(&candidate.statement, "chattering"),
+            chattering(candidate),
             in_words(candidate)
         )
     }
@@ -219,17 +235,23 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
         if !(slowest > 0.0 && slowest < 0.95 * candidate.step) {
             return Ok(None);
         }
-        let slower = self.candidate(1.0 / candidate.case.looked.control.sampling_period, slowest, start)?;
+        let rate = 1.0 / candidate.case.looked.control.sampling_period;
+        let Some(slower) = self.candidate(rate, slowest, start)? else { return Ok(None) };
         let bandwidth = slower.case.looked.control.bandwidth;
         Ok(Some(format!(
             "A slower one, down to {bandwidth} rad/s, would still fall {:.0} % faster than the limit along the path and chatter by {:.4} at most, \
              but rise within {:.0} ms.{}",
             100.0 * MARGIN,
-            bound(&slower.statement, "chattering"),
+            chattering(&slower),
             1e3 / bandwidth,
             in_words(&slower)
         )))
     }
+}
+
+/// The chattering that is guaranteed: from the start, or, of the implicit form, once the feedback has settled.
+fn chattering(candidate: &Candidate) -> f64 {
+    bound(&candidate.statement, "chattering").min(bound(&candidate.statement, "chattering-settled"))
 }
 
 /// The time of a run beside the optimum, and what it is predicted to be.
