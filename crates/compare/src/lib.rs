@@ -11,7 +11,7 @@ pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, Projec
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
 pub use error::{CompareError, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
-pub use speed::entries::{BetweenNodes, MethodEntry, OptimumEntry};
+pub use speed::entries::{BetweenNodes, ExcessEntry, MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};
 pub use speed::summary::SpeedSummary;
 pub use speed::verdict::SpeedVerdict;

@@ -24,6 +24,7 @@ mod restarts;
 mod rotation;
 mod spherical_wrist;
 pub mod srdf;
+mod summary;
 mod urdf;
 mod wrist_partitioned;
 mod xml;
@@ -48,6 +49,7 @@ pub use numeric_ik::{NumericIk, NumericIkSettings};
 pub use restarts::PositionRanges;
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
+pub use summary::{FollowerSummary, JointSummary, RobotSummary};
 pub use urdf::{ChainEnds, ForeignFormat, UrdfError, UrdfFault, UrdfPlace};
 pub use wrist_partitioned::WristPartitionedIk;
 

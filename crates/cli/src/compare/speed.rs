@@ -9,6 +9,7 @@ use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
 use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
 use slideway_lab::Experiment;
+use slideway_robot::RobotSummary;
 use slideway_scenario::Scenario;
 use std::path::Path;
 
@@ -19,6 +20,7 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
     let options = SpeedOptions {
         name: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
+        robot: Some(RobotSummary::from(&scenario.robot().map_err(pointed)?)),
         judged: scenario.judged_method(),
         tolerance: options.tolerance.unwrap_or_else(|| scenario.tolerance()),
         inter_sample: options.inter_sample,
@@ -74,7 +76,7 @@ fn write(
     if points.len() >= 2 {
         figures.push(draw_look_ahead(&LookAheadStudy { title, points: &points }, &figures_dir)?);
     }
-    figures.extend(law_figures::draw(title, comparison, &figures_dir)?);
+    figures.extend(law_figures::draw(title, experiment.joint_names(), comparison, &figures_dir)?);
     let page = speed_page::render(summary, scenario.text(), &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
 }
