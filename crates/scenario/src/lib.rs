@@ -15,6 +15,7 @@ mod built_in;
 mod conditioning;
 mod error;
 mod read;
+mod schema;
 mod speed;
 pub mod sweep;
 mod tables;

@@ -4,7 +4,7 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::{law_figures, speed_page, speed_text};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
-use crate::say::output::{Watched, as_json, create, write_summary};
+use crate::say::output::{Watched, as_json, create, write_summary, wrote_figures};
 use slideway_baselines::time_optimal::TimeOptimum;
 use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
 use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
@@ -26,7 +26,7 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
         inter_sample: options.inter_sample,
         grid_points: scenario.grid_points(),
     };
-    let watched = Watched::new();
+    let mut watched = Watched::new();
     let compared = compare_speed(&experiment, &options, &mut |progress| watched.show(progress));
     let comparison = compared.map_err(|error| compare_error(error, name, scenario.text()))?;
     watched.writing();
@@ -77,6 +77,7 @@ fn write(
         figures.push(draw_look_ahead(&LookAheadStudy { title, points: &points }, &figures_dir)?);
     }
     figures.extend(law_figures::draw(title, experiment.joint_names(), comparison, &figures_dir)?);
+    wrote_figures(&figures);
     let page = speed_page::render(summary, scenario.text(), &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))
 }

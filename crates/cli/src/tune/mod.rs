@@ -1,10 +1,10 @@
 use crate::args::TuneArguments;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{scenario_error, source};
-use crate::say::output::{Outcome, json_text, print};
+use crate::say::output::{Outcome, print_answer, print_json, wrote};
 use crate::say::table::Table;
 use crate::say::words::short;
-use slideway_verify::{Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
+use slideway_verify::{Change, Impossible, Prediction, TuneOutcome, TuneRequest, Tuned, VerifyError, tune};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -22,8 +22,14 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     if let (TuneOutcome::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
         let write = |source| CliError::Write { path: out.clone(), source };
         fs::write(out, &tuned.text).map_err(write)?;
+        wrote(out);
     }
-    print(&shown(&outcome, arguments, &request)?);
+    if arguments.json {
+        print_json(&outcome)?;
+    } else {
+        let (whole, verdict) = shown(&outcome, arguments, &request);
+        print_answer(&whole, &verdict);
+    }
     Ok(match outcome {
         TuneOutcome::Tuned(_) => Outcome::Holds,
         TuneOutcome::Impossible(_) => Outcome::Fails,
@@ -39,25 +45,27 @@ fn in_file(error: VerifyError, arguments: &TuneArguments, request: &TuneRequest)
     }
 }
 
-fn shown(outcome: &TuneOutcome, arguments: &TuneArguments, request: &TuneRequest) -> Result<String, CliError> {
-    if arguments.json {
-        return json_text(outcome);
+/// The whole answer, and the values or the refusal alone.
+fn shown(outcome: &TuneOutcome, arguments: &TuneArguments, request: &TuneRequest) -> (String, String) {
+    match outcome {
+        TuneOutcome::Tuned(tuned) => (tuned_in_words(tuned, arguments.out.as_deref()), changes(tuned)),
+        TuneOutcome::Impossible(impossible) => {
+            let text = impossible_in_words(impossible, request);
+            (text.clone(), text)
+        }
     }
-    Ok(match outcome {
-        TuneOutcome::Tuned(tuned) => tuned_in_words(tuned, arguments.out.as_deref()),
-        TuneOutcome::Impossible(impossible) => impossible_in_words(impossible, request),
-    })
+}
+
+fn changes(tuned: &Tuned) -> String {
+    if tuned.changes.is_empty() {
+        return "Nothing needs to change.\n".into();
+    }
+    let line = |c: &Change| format!("{} = {} {} (was {})\n", c.key, c.after, c.unit, c.before);
+    tuned.changes.iter().map(line).collect()
 }
 
 fn tuned_in_words(tuned: &Tuned, out: Option<&Path>) -> String {
-    let mut text = String::new();
-    if tuned.changes.is_empty() {
-        text += "Nothing needs to change.\n";
-    }
-    for change in &tuned.changes {
-        text += &format!("{} = {} {} (was {})\n", change.key, change.after, change.unit, change.before);
-    }
-    text += "\n";
+    let mut text = changes(tuned) + "\n";
     for sentence in &tuned.trade_off {
         text += &format!("{sentence}\n");
     }
