@@ -160,6 +160,7 @@ fn a_torque_that_does_not_hold_the_arm_is_told_with_joint_place_and_what_would_d
         words.contains("weak.toml: no optimum: no speed profile keeps the torque limit of joint 2 at s = "),
         "{words}"
     );
+    assert!(words.contains("; that joint is `joint2`"), "{words}");
     assert!(words.contains("if every such limit gave way by"), "{words}");
 }
 

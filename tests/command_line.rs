@@ -2,6 +2,7 @@
 
 mod support;
 
+use slideway_scenario::{ConditioningScenario, Scenario};
 use support::{json, slideway, stdout};
 
 #[test]
@@ -221,4 +222,61 @@ fn a_disturbed_run_says_by_what() {
     }
     let plain = slideway(folder.path(), &["compare", "planar-line", "--json"]);
     assert!(json(&stdout(&plain))["disturbances"].is_null());
+}
+
+#[test]
+fn quiet_leaves_the_verdict_and_verbose_tells_of_stages_and_files() {
+    let folder = tempfile::tempdir().expect("folder");
+    let run = |arguments: &[&str]| slideway(folder.path(), &[&["compare", "planar-line"], arguments].concat());
+    let (usual, quiet, verbose) = (run(&[]), run(&["--quiet"]), run(&["--verbose"]));
+    let verdict =
+        json(&stdout(&run(&["--quiet", "--json"])))["verdict"]["sentence"].as_str().expect("words").to_owned();
+    assert_eq!((stdout(&quiet), quiet.stderr.is_empty()), (verdict.clone() + "\n", true));
+    assert!(stdout(&usual).lines().count() > 10 && stdout(&usual).contains(&verdict));
+    let told = String::from_utf8_lossy(&verbose.stderr).into_owned();
+    for line in [
+        " s  solving for the optimum",
+        " s  writing traces and figures",
+        "wrote out/planar-line/summary.json",
+        "joint-speeds.svg",
+    ] {
+        assert!(told.contains(line), "{line}: {told}");
+    }
+    assert!(stdout(&verbose).contains(&verdict));
+    let trials = ["verify", "planar-line", "--trials", "3", "--quiet"];
+    let verified = slideway(folder.path(), &trials);
+    assert_eq!((stdout(&verified).lines().count(), verified.stderr.is_empty()), (1, true), "{}", stdout(&verified));
+    assert_eq!(slideway(folder.path(), &["list", "--quiet", "--verbose"]).status.code(), Some(2));
+}
+
+#[test]
+fn the_schema_lies_where_the_first_line_of_a_new_scenario_says() {
+    let folder = tempfile::tempdir().expect("folder");
+    for (kind, schema) in [("speed", Scenario::schema()), ("conditioning", ConditioningScenario::schema())] {
+        let file = format!("{kind}.toml");
+        assert!(slideway(folder.path(), &["init", &file, "--kind", kind]).status.success());
+        let text = std::fs::read_to_string(folder.path().join(&file)).expect("reads");
+        let named = text.lines().next().and_then(|line| line.strip_prefix("#:schema ./")).expect("a schema");
+        assert!(slideway(folder.path(), &["schema", "--kind", kind, "--out", named]).status.success());
+        let written = std::fs::read_to_string(folder.path().join(named)).expect("reads");
+        assert_eq!(written, stdout(&slideway(folder.path(), &["schema", "--kind", kind])));
+        assert_eq!(json(&written), schema);
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_know_every_subcommand() {
+    let folder = tempfile::tempdir().expect("folder");
+    let pages = folder.path().join("man");
+    assert!(slideway(folder.path(), &["man", "--out", "man"]).status.success());
+    let page = stdout(&slideway(folder.path(), &["man"]));
+    let scripts = ["bash", "zsh", "fish", "elvish", "powershell"]
+        .map(|shell| stdout(&slideway(folder.path(), &["completions", shell])));
+    let help = stdout(&slideway(folder.path(), &["--help"]));
+    let (_, list) = help.split_once("Commands:\n").expect("a list of commands");
+    let names = list.lines().take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
+    for name in names.filter(|name| *name != "help") {
+        assert!(scripts.iter().all(|script| script.contains(name)), "{name}");
+        assert!(page.contains(name) && pages.join(format!("slideway-{name}.1")).exists(), "{name}");
+    }
 }

@@ -39,7 +39,7 @@ fn keeps_the_limits(name: &str, experiment: &Experiment, comparison: &SpeedCompa
         last.t
     );
     for sample in &motion.samples {
-        let share = sample.limit.expect("limited").share;
+        let share = sample.limit.as_ref().expect("limited").share;
         assert!(share <= 1.0 + 1e-9, "{name}: {share} of {:?} at {} s", sample.limit, sample.t);
     }
     for pair in motion.samples.windows(2) {

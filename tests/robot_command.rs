@@ -89,11 +89,40 @@ fn every_built_in_robot_and_every_fixture_prints_tables_and_json() {
         let object = state.as_object().expect("object");
         let mut keys: Vec<&str> = object.keys().map(String::as_str).collect();
         keys.sort_unstable();
-        let expected =
-            ["acceleration", "coriolis", "gravity", "jacobian", "manipulability", "mass_matrix", "pose", "torque"];
+        let expected = [
+            "acceleration",
+            "coriolis",
+            "gravity",
+            "jacobian",
+            "manipulability",
+            "mass_matrix",
+            "pose",
+            "robot",
+            "torque",
+        ];
         assert_eq!(keys, expected, "{name}");
         assert_eq!((list(&state["pose"]).len(), list(&state["jacobian"]).len() % 6), (16, 0), "{name}");
     }
+}
+
+#[test]
+fn a_robot_is_described_with_limits_followers_gravity_and_notes() {
+    let gallery = |name: &str| fixture(&format!("../urdf_gallery/{name}"));
+    let limited = state(&[&gallery("version_1_2.urdf")])["robot"].clone();
+    let expected = serde_json::json!([
+        { "name": "j1", "kind": "revolute", "position": [-1.5, null], "speed": 2.0, "acceleration": 5.0, "torque": null },
+        { "name": "j2", "kind": "revolute", "position": [null, 1.0], "speed": null, "acceleration": 4.0, "torque": 7.0 },
+    ]);
+    assert_eq!(limited["joints"], expected, "{limited}");
+    let mimic = state(&[&gallery("mimic.urdf")])["robot"].clone();
+    let follower = serde_json::json!([{ "name": "j2", "leader": "j1", "ratio": -0.5, "offset": 0.3 }]);
+    assert_eq!((&mimic["followers"], mimic["joints"].as_array().map(Vec::len)), (&follower, Some(2)));
+    assert!(mimic["notes"][0].as_str().is_some_and(|note| note.contains("`j2` moves with joint `j1`")), "{mimic}");
+    let tips = state(&[&gallery("tips.urdf")])["robot"].clone();
+    assert!(!tips["tip_alternatives"].as_array().expect("links").is_empty(), "{tips}");
+    let text = slideway(&["robot", &gallery("version_1_2.urdf")]).stdout;
+    let text = String::from_utf8_lossy(&text);
+    assert!(text.contains("acceleration") && text.contains("5.0000") && !text.contains("inf"), "{text}");
 }
 
 #[test]

@@ -58,17 +58,57 @@ fn columns_and_axes_of_a_joint_that_slides_are_in_metres_and_those_of_one_that_t
     let trace = read("trace-sliding-mode.csv");
     let columns: Vec<&str> = trace.lines().next().expect("a header").split(',').collect();
     for (name, per) in [("q", ""), ("qd_desired", "_per_s"), ("qd_commanded", "_per_s")] {
-        let of_joints: Vec<&str> = (1..=3)
+        let of_joints: Vec<&str> = ["bridge", "lift", "spindle"]
             .map(|joint| {
-                let begins = format!("{name}{joint}_");
+                let begins = format!("{name}_{joint}_");
                 *columns.iter().find(|column| column.starts_with(&begins)).expect("a column")
             })
-            .collect();
-        assert_eq!(of_joints, [format!("{name}1_m{per}"), format!("{name}2_m{per}"), format!("{name}3_rad{per}")]);
+            .to_vec();
+        assert_eq!(of_joints, ["bridge_m", "lift_m", "spindle_rad"].map(|joint| format!("{name}_{joint}{per}")));
     }
+    let limiting = columns.iter().position(|column| *column == "limiting_joint").expect("a column");
+    let named = |row: &str| ["bridge", "lift", "spindle"].contains(&row.split(',').nth(limiting).expect("a field"));
+    assert!(trace.lines().skip(1).any(named));
     let figure = read("figures/joint-speeds.svg");
+    let is_titled = |joint: &&str| figure.lines().any(|line| line.trim() == *joint);
+    assert!(["bridge", "lift", "spindle"].iter().all(is_titled));
     let axes = |unit: &str| figure.lines().filter(|line| line.trim() == unit).count();
     assert_eq!((axes("m/s"), axes("rad/s")), (2, 1));
+}
+
+#[test]
+fn the_summary_and_the_robot_command_describe_a_robot_in_the_same_words() {
+    let folder = folder(GANTRY);
+    let printed = |arguments: &[&str]| -> Value {
+        let output = slideway(folder.path(), &[arguments, &["--json"]].concat());
+        serde_json::from_slice(&output.stdout).expect("valid JSON")
+    };
+    let robot = &printed(&["compare", "scenarios/mine.toml"])["robot"];
+    assert_eq!(*robot, printed(&["robot", "robots/gantry.urdf"])["robot"]);
+    let bridge = serde_json::json!({
+        "name": "bridge", "kind": "prismatic", "position": [0.0, 2.0], "speed": 1.5, "acceleration": null, "torque": 500.0,
+    });
+    assert_eq!(
+        (&robot["joints"][0], robot["base"].as_str(), robot["tip"].as_str()),
+        (&bridge, Some("frame"), Some("tool"))
+    );
+    assert_eq!(robot["joints"][2]["position"], serde_json::json!([null, null]), "a spindle turns without end");
+}
+
+#[test]
+fn a_joint_whose_name_has_a_comma_keeps_its_trace_readable_and_a_joint_outside_its_range_is_named() {
+    let folder = folder(&GANTRY.replace("[limits]", "[limits]\nposition = [[0, 1], [-0.8, 0], [-1, 1]]"));
+    let file = folder.path().join("robots/gantry.urdf");
+    let text = std::fs::read_to_string(&file).expect("fixture");
+    std::fs::write(&file, text.replace("\"bridge\"", "\"bridge, west\"")).expect("written");
+    let output = slideway(folder.path(), &["compare", "scenarios/mine.toml", "--out", "out", "--json"]);
+    let summary: Value = serde_json::from_slice(&output.stdout).expect("valid JSON");
+    assert_eq!(summary["position_excesses"][0]["joint"], "bridge, west");
+    assert!(summary["verdict"]["sentence"].as_str().expect("words").contains("joint `bridge, west` is at 1.1"));
+    let mut reader = csv::Reader::from_path(folder.path().join("out/trace-ideal.csv")).expect("a file");
+    let columns = reader.headers().expect("a header").clone();
+    assert!(columns.iter().any(|column| column == "q_bridge, west_m"), "{columns:?}");
+    assert!(reader.records().all(|row| row.is_ok_and(|row| row.len() == columns.len())));
 }
 
 #[test]

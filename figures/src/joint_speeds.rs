@@ -24,7 +24,7 @@ impl<'a> JointSpeeds<'a> {
         Self { checked, panels }
     }
 
-    /// The fastest commanded speed, if it lies beyond its axis: joint counted from 1, method and speed.
+    /// The fastest commanded speed, if it lies beyond its axis: method, joint and speed.
     fn cut_off(&self) -> Option<String> {
         let mut worst: Option<(f64, String)> = None;
         for run in &self.checked.runs {
@@ -33,7 +33,7 @@ impl<'a> JointSpeeds<'a> {
                 let is_worse = worst.as_ref().is_none_or(|(most, _)| speed > *most);
                 if speed > 1.001 * panel.range.end.max(-panel.range.start) && is_worse {
                     let (method, most, unit) = (label(run.method), significant(speed, 2), &panel.label);
-                    let text = format!("{method} joint {}, up to {most} {unit}", joint + 1);
+                    let text = format!("{method} {}, up to {most} {unit}", self.checked.joint_name(joint));
                     worst = Some((speed, text));
                 }
             }
@@ -62,7 +62,7 @@ fn panel(checked: &Checked, joint: usize) -> Multiple {
     let least = all().fold(lower, f64::min).max(REACH * lower);
     let room = 0.08 * (upper - lower);
     Multiple {
-        title: format!("joint {}", joint + 1),
+        title: checked.joint_name(joint).to_owned(),
         label: checked.units(joint).speed.to_owned(),
         range: least.min(lower) - room..most.max(upper) + room,
         levels: vec![lower, upper],

@@ -136,6 +136,12 @@ impl<'a> Checked<'a> {
         units.copied().unwrap_or(JointUnits::TURNING)
     }
 
+    /// Name of a joint: all runs are of one arm.
+    pub(crate) fn joint_name(&self, joint: usize) -> &'a str {
+        let most = self.study.traces.iter().max_by_key(|t| t.joints);
+        most.map_or("", |t| &t.joint_names[joint])
+    }
+
     /// The regulated runs.
     pub(crate) fn regulated(&self) -> impl Iterator<Item = &Run<'a>> {
         self.runs.iter().filter(|run| run.method.is_regulated())
@@ -176,6 +182,7 @@ impl<'a> Checked<'a> {
 impl<'a> Run<'a> {
     fn new(trace: &'a Trace, tool: &'a [[f64; 3]]) -> Result<Self, FigureError> {
         let method = trace.method;
+        check_length("names of the joints", trace.joints, trace.joint_names.len())?;
         if trace.samples.is_empty() {
             return Err(FigureError::EmptyTrace { method });
         }

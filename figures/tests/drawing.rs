@@ -47,7 +47,7 @@ impl Material {
             traces: vec![Trace {
                 method: Method::SlidingMode,
                 joints: 1,
-                joint_names: vec!["joint1".into()],
+                joint_names: vec!["shoulder".into()],
                 units: [JointUnits::TURNING; MAX_JOINTS],
                 sampling_period: 0.01,
                 finish_s: Some(1.99),
@@ -103,7 +103,7 @@ fn axis_labels(name: &str) -> &'static [&'static str] {
     match name {
         "path-rate" => &["path parameter λ", "dλ/dt (1/s)"],
         "path-rate-time" => &["time (s)", "dλ/dt (1/s)"],
-        "joint-speeds" => &["time (s)", "rad/s", "joint 1", "joint 2"],
+        "joint-speeds" => &["time (s)", "rad/s", "joint1", "joint2"],
         "errors" => &["time (s)", "mm", "rad", "error in x", "error in γ"],
         "tool-path" => &["x (m)", "y (m)", "z (m)"],
         "direction-factor" => &["time (s)", "fdir"],

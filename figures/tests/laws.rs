@@ -33,7 +33,13 @@ fn courses(torque: Option<f64>) -> Vec<NamedCourse> {
 
 fn names(courses: &[NamedCourse]) -> Result<Vec<&'static str>, FigureError> {
     let dir = tempfile::tempdir().expect("folder");
-    let study = CourseStudy { title: "test", courses, speed_lower: &[-1.0], speed_upper: &[1.0] };
+    let study = CourseStudy {
+        title: "test",
+        joint_names: &["elbow".to_owned()],
+        courses,
+        speed_lower: &[-1.0],
+        speed_upper: &[1.0],
+    };
     Ok(draw_courses(&study, dir.path())?.iter().map(|figure| figure.name).collect())
 }
 

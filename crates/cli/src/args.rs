@@ -1,6 +1,8 @@
+use crate::say::loudness::Loudness;
 use crate::verify::shard::MAX_TRIALS;
 use crate::verify::shard::Shard;
 use clap::{Parser, Subcommand};
+use clap_complete::Shell;
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::PathBuf;
 
@@ -10,6 +12,23 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
+    /// Say only what failed and the verdict: no progress, no tables.
+    #[arg(long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Tell on the error stream how long each stage took and which files were written.
+    #[arg(long, global = true)]
+    verbose: bool,
+}
+
+impl Arguments {
+    /// How much to say.
+    pub(crate) fn loudness(&self) -> Loudness {
+        match (self.quiet, self.verbose) {
+            (true, _) => Loudness::Quiet,
+            (_, true) => Loudness::Verbose,
+            _ => Loudness::Normal,
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -78,6 +97,31 @@ pub(crate) enum Command {
         /// What the scenario is about.
         #[arg(long, value_enum, default_value_t = Kind::Speed)]
         kind: Kind,
+    },
+    /// Print the JSON Schema of scenario files, by which editors of TOML complete and check them.
+    ///
+    /// A file that `slideway init` wrote names it in its first line, as `slideway-speed.schema.json` (or `-conditioning`) beside itself.
+    Schema {
+        /// Kind of scenario.
+        #[arg(long, value_enum, default_value_t = Kind::Speed)]
+        kind: Kind,
+        /// Write it to this file instead.
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    /// Print a completion script for a shell.
+    ///
+    /// For bash: `slideway completions bash > ~/.local/share/bash-completion/completions/slideway`.
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    /// Print the manual page, or write it and one for every subcommand.
+    Man {
+        /// Where to write the pages.
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
     },
 }
 

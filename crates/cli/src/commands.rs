@@ -2,16 +2,17 @@ use crate::args::{Arguments, Command, Kind};
 use crate::claims::attack;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::unknown;
-use crate::say::output::{Outcome, print};
+use crate::say::output::{Outcome, create, json_text, print, tell};
 use crate::verify::merge;
-use crate::{claims, compare, reproduce, robot, study, sweep, tune, verify};
+use crate::{claims, compare, reproduce, robot, shell, study, sweep, tune, verify};
 use slideway_robot::models::Model;
-use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, TEMPLATE};
+use slideway_scenario::{AnyScenario, BUILT_IN, CONDITIONING_TEMPLATE, ConditioningScenario, Scenario, TEMPLATE};
 use slideway_study::Study;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
+    arguments.loudness().choose();
     match arguments.command {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
@@ -26,6 +27,9 @@ pub(crate) fn run(arguments: Arguments) -> Result<Outcome, CliError> {
         Command::List => list(),
         Command::Show { scenario } => show(&scenario),
         Command::Init { file, kind } => init(&file, kind),
+        Command::Schema { kind, out } => schema(kind, out),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Man { out } => shell::man(out.as_deref()),
     }
 }
 
@@ -64,8 +68,20 @@ fn init(file: &Path, kind: Kind) -> Result<Outcome, CliError> {
         }
         opened => opened.map_err(write)?,
     };
-    // What could not be written whole leaves nothing.
+    // A template that could not be written whole leaves nothing.
     out.write_all(template.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(file))).map_err(write)?;
-    print(&format!("wrote {0}; run it with `slideway compare {0}`\n", file.display()))?;
+    tell(&format!("wrote {0}; run it with `slideway compare {0}`\n", file.display()))?;
+    Ok(Outcome::Holds)
+}
+
+fn schema(kind: Kind, out: Option<PathBuf>) -> Result<Outcome, CliError> {
+    let text = json_text(&match kind {
+        Kind::Speed => Scenario::schema(),
+        Kind::Conditioning => ConditioningScenario::schema(),
+    })?;
+    match out {
+        Some(out) => create(out, |file| file.write_all(text.as_bytes()))?,
+        None => print(&text)?,
+    }
     Ok(Outcome::Holds)
 }

@@ -10,6 +10,7 @@ mod keep;
 mod reproduce;
 mod robot;
 mod say;
+mod shell;
 mod study;
 mod sweep;
 mod tune;

@@ -10,10 +10,12 @@ pub enum CompareError {
     #[error(transparent)]
     Lab(#[from] ProblemError),
     /// No optimum to compare with.
-    #[error("no optimum: {error}")]
+    #[error("no optimum: {error}{}", joint.as_ref().map(|joint| format!("; that joint is `{joint}`")).unwrap_or_default())]
     NoOptimum {
         /// Why.
         error: OptimumError,
+        /// Name of the joint whose limit is not kept.
+        joint: Option<String>,
         /// For limits that no profile keeps: the share of half their ranges by which all like the one named would have to give
         /// way; `None` if no such share is known.
         widening: Option<f64>,
@@ -42,7 +44,7 @@ impl CompareError {
             Self::NoOptimum { error: OptimumError::NoMotion { .. }, .. } => {
                 "give a path along which the joints move".into()
             }
-            Self::NoOptimum { error: OptimumError::Infeasible { .. }, widening } => {
+            Self::NoOptimum { error: OptimumError::Infeasible { .. }, widening, .. } => {
                 let share = widening.map(|share| {
                     let share = short(100.0 * share);
                     format!("; if every such limit gave way by {share} % of half its range, there would be a profile")

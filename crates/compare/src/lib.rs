@@ -14,7 +14,7 @@ pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, PathMe
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
 pub use error::{CompareError, check_refinement, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
-pub use speed::entries::{BetweenNodes, GridEntry, MethodEntry, OptimumEntry};
+pub use speed::entries::{BetweenNodes, ExcessEntry, GridEntry, MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};
 pub use speed::motion::{OptimumMotion, OptimumSample};
 pub use speed::summary::{LeftOut, SpeedSummary};

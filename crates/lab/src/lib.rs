@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod conditioning;
+pub mod csv;
 mod disturbances;
 mod experiment;
 mod joints;

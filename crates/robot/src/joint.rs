@@ -1,8 +1,10 @@
 use crate::Pose;
 use nalgebra::{Rotation3, Translation3, Unit, Vector3};
+use serde::Serialize;
 
 /// Kind of motion of a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum JointKind {
     /// Turns about its axis; position in rad.
     Revolute,

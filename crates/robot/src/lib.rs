@@ -24,6 +24,7 @@ mod restarts;
 mod rotation;
 mod spherical_wrist;
 pub mod srdf;
+mod summary;
 mod urdf;
 mod xml;
 
@@ -47,6 +48,7 @@ pub use numeric_ik::{NumericIk, NumericIkSettings};
 pub use restarts::PositionRanges;
 pub use rotation::rotation_vector;
 pub use spherical_wrist::{Branch, Elbow, Shoulder, SphericalWristIk, Wrist};
+pub use summary::{FollowerSummary, JointSummary, RobotSummary};
 pub use urdf::{ChainEnds, ForeignFormat, UrdfError, UrdfFault, UrdfPlace};
 
 /// Position and orientation of a frame, stored as a rotation matrix and a vector.

@@ -16,6 +16,7 @@ mod conditioning;
 mod encoding;
 mod error;
 mod read;
+mod schema;
 mod speed;
 mod subject;
 pub mod sweep;

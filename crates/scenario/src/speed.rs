@@ -135,7 +135,12 @@ impl Scenario {
         })
     }
 
-    fn robot(&self) -> Result<RobotDescription, ScenarioError> {
+    /// The robot, before its file or table is made into an arm.
+    ///
+    /// # Errors
+    ///
+    /// No robot or several, a file that gives none, or a number of joints that is not supported.
+    pub fn robot(&self) -> Result<RobotDescription, ScenarioError> {
         describe(&self.file.robot, &self.folder)
     }
 

@@ -121,8 +121,7 @@ fn draw<DB: DrawingBackend>(
         let x = if bottom > Frame::TICKS { x.clone() } else { x.unlabelled() };
         let levels = levels(joint);
         let y = Axis::linear(unit(units(study, joint)), range(study, joint, &levels, value), 4);
-        let title = format!("joint {}", joint + 1);
-        let panel = Panel::new(place, &Frame { title: &title, bottom, ..Frame::LABELLED }, x, y)?;
+        let panel = Panel::new(place, &Frame { title: &study.joint_names[joint], bottom, ..Frame::LABELLED }, x, y)?;
         for level in levels {
             panel.level(level, &LIMIT)?;
         }

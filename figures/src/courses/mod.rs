@@ -20,6 +20,8 @@ use std::path::Path;
 pub struct CourseStudy<'a> {
     /// Heading of every figure: the scenario, in a few words.
     pub title: &'a str,
+    /// Names of the joints, from base to tip.
+    pub joint_names: &'a [String],
     /// The runs; what comes later lies on top.
     pub courses: &'a [NamedCourse],
     /// Lower joint-speed limits, rad/s.
@@ -73,6 +75,10 @@ fn check(study: &CourseStudy) -> Result<(), FigureError> {
         }
         if let Some(index) = course.samples.iter().position(|s| !is_finite(s)) {
             return Err(FigureError::Value { what: "samples of a course", index });
+        }
+        let named = study.joint_names.len();
+        if named < course.joints {
+            return Err(FigureError::Length { what: "names of the joints", expected: course.joints, found: named });
         }
         let fewest = study.speed_lower.len().min(study.speed_upper.len());
         if fewest < course.joints {

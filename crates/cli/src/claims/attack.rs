@@ -1,7 +1,7 @@
 use crate::args::AttackArguments;
 use crate::claims::chosen;
 use crate::say::diagnostic::CliError;
-use crate::say::output::{Outcome, create, print, progress};
+use crate::say::output::{Outcome, create, print_answer, progress};
 use slideway_proofs::Claim;
 use slideway_proofs::engine::{Attack, Engine, Found};
 use slideway_proofs::kept::KeptCase;
@@ -37,7 +37,7 @@ pub(crate) fn run(arguments: &AttackArguments) -> Result<Outcome, CliError> {
         });
         bar.inc(1);
         let line = described(claim.name, engine, &found);
-        bar.suspend(|| print(&line))?;
+        bar.suspend(|| print_answer(&line, if found.violation.is_some() { &line } else { "" }))?;
         if let Some(out) = &arguments.out {
             write(out, &KeptCase::found(claim, engine, &found))?;
         }

@@ -7,7 +7,8 @@ use crate::args::{ClaimsArguments, Level};
 use crate::claims::json::{json, proof_in_words};
 use crate::claims::report::write_report;
 use crate::say::diagnostic::{CliError, Named};
-use crate::say::output::{Outcome, print, print_error, progress};
+use crate::say::loudness::Loudness;
+use crate::say::output::{Outcome, print, print_answer, print_error, progress};
 use crate::say::table::Table;
 use crate::say::words::nearest;
 use slideway_proofs::ledger::{
@@ -39,11 +40,13 @@ pub(crate) fn run(arguments: &ClaimsArguments) -> Result<Outcome, CliError> {
     } else if arguments.json {
         print(&json(&entries, &proofs))?;
     } else {
-        print(&table(&entries, &proofs))?;
+        print_answer(&table(&entries, &proofs), &failed_proofs(&entries, &proofs))?;
     }
     if let Some(out) = &arguments.out {
         let page = write_report(out, &entries, &proofs)?;
-        print_error(&format!("wrote {}", page.display()));
+        if Loudness::chosen() != Loudness::Quiet {
+            print_error(&format!("wrote {}", page.display()));
+        }
     }
     violations(&entries);
     let holds = entries.iter().all(|entry| entry.violated().next().is_none());
@@ -92,16 +95,20 @@ fn table(entries: &[Entry], proofs: &[ProofStatus]) -> String {
             &margins.join("\n"),
         ]);
     }
-    let mut text = table.terminal() + "\n";
-    for (entry, proof) in entries.iter().zip(proofs) {
-        if let ProofStatus::Failed(why) = proof {
-            text.push_str(&format!("{}: {why}\n", entry.claim.name));
-        }
-    }
+    let mut text = table.terminal() + "\n" + &failed_proofs(entries, proofs);
     if let Some(ProofStatus::Unchecked(why)) = proofs.iter().find(|p| matches!(p, ProofStatus::Unchecked(_))) {
         text.push_str(&format!("{why}\n"));
     }
     text
+}
+
+/// Proofs that do not go through, a line each.
+fn failed_proofs(entries: &[Entry], proofs: &[ProofStatus]) -> String {
+    let line = |(entry, proof): (&Entry, &ProofStatus)| match proof {
+        ProofStatus::Failed(why) => Some(format!("{}: {why}\n", entry.claim.name)),
+        _ => None,
+    };
+    entries.iter().zip(proofs).filter_map(line).collect()
 }
 
 /// Violations go to the error stream, with what is needed to see them again.

@@ -4,7 +4,7 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::conditioning_views;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
-use crate::say::output::{Watched, as_json, begin, create, write_summary};
+use crate::say::output::{Watched, as_json, begin, create, write_summary, wrote_figures};
 use slideway_compare::{ConditioningComparison, ConditioningOptions, Convergence, compare_conditioning};
 use slideway_figures::{
     ConditioningStudy, ConvergencePoint, ConvergenceStudy, draw_conditioning_study, draw_convergence,
@@ -28,7 +28,7 @@ pub(crate) fn run(
         tolerance: options.tolerance.or(scenario.tolerance()),
         ..ConditioningOptions::default()
     };
-    let watched = Watched::new();
+    let mut watched = Watched::new();
     let compared = compare_conditioning(&problem, &options, &mut |progress| watched.show(progress));
     let comparison = compared.map_err(|error| compare_error(error, name, scenario.text()))?;
     watched.writing();
@@ -63,6 +63,7 @@ fn write(
     if points.len() >= 2 && points.iter().all(|p| p.mean_distance_m > 0.0) {
         figures.push(draw_convergence(&ConvergenceStudy { title, points: &points }, &figures_dir)?);
     }
+    wrote_figures(&figures);
     let page = conditioning_views::render(summary, scenario.text(), &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
     write_summary(out, summary)

@@ -4,7 +4,7 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::one::compare;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::scenario_error;
-use crate::say::output::{Outcome, create, print, print_json, progress, withdraw, write_summary};
+use crate::say::output::{Outcome, create, print_answer, print_json, progress, tell_verbose, withdraw, write_summary};
 use crate::say::page::page_head;
 use crate::say::table::Table;
 use crate::say::words::decimals;
@@ -40,6 +40,7 @@ pub(crate) fn run(options: &CompareOptions, out: &Path, json: bool) -> Result<Ou
     let mut scenarios = Vec::new();
     for built_in in &BUILT_IN {
         bar.println(built_in.name);
+        tell_verbose(|| built_in.name.to_owned());
         let loaded = AnyScenario::parse(built_in.name, built_in.text)
             .map_err(|error| scenario_error(error, built_in.name, Some(built_in.text.to_owned())))?;
         let compared = compare(&loaded, built_in.name, options, &out.join(built_in.name))?;
@@ -92,8 +93,11 @@ impl Gallery {
         if json {
             return print_json(self);
         }
-        let table = self.table().terminal();
-        print(&format!("{table}\n{}\nwrote {}\n", self.sentence(), out.join("index.html").display()))
+        let (table, sentence) = (self.table().terminal(), self.sentence());
+        let unexpected = self.scenarios.iter().filter(|s| !s.as_expected);
+        let failed: String = unexpected.map(|s| format!("{}: {}\n", s.scenario, s.verdict)).collect();
+        let whole = format!("{table}\n{sentence}\nwrote {}\n", out.join("index.html").display());
+        print_answer(&whole, &format!("{failed}{sentence}\n"))
     }
 
     fn table(&self) -> Table {

@@ -10,7 +10,12 @@ use slideway_lab::Method;
 use std::path::Path;
 
 /// The figures of the laws; none unless the scenario asks for them.
-pub(crate) fn draw(title: &str, comparison: &SpeedComparison, dir: &Path) -> Result<Vec<Rendered>, CliError> {
+pub(crate) fn draw(
+    title: &str,
+    joint_names: &[String],
+    comparison: &SpeedComparison,
+    dir: &Path,
+) -> Result<Vec<Rendered>, CliError> {
     let SpeedComparison { summary, courses, model_errors, path, .. } = comparison;
     if courses.is_empty() {
         return Ok(Vec::new());
@@ -18,7 +23,7 @@ pub(crate) fn draw(title: &str, comparison: &SpeedComparison, dir: &Path) -> Res
     let named = |of: &LawCourse| NamedCourse { law: drawn(of.law), course: of.course.clone() };
     let courses = &courses.iter().map(named).collect::<Vec<_>>();
     let (speed_lower, speed_upper) = (&path.speed_lower, &path.speed_upper);
-    let mut rendered = draw_courses(&CourseStudy { title, courses, speed_lower, speed_upper }, dir)?;
+    let mut rendered = draw_courses(&CourseStudy { title, joint_names, courses, speed_lower, speed_upper }, dir)?;
     let lines = lines(&summary.scaled_limits);
     if lines.len() > 1 {
         rendered.insert(0, draw_mean_speed(&MeanSpeedStudy { title, lines: &lines }, dir)?);

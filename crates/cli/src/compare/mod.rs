@@ -15,7 +15,7 @@ mod speed_text;
 use crate::args::{CompareArguments, SolverArgument};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::load;
-use crate::say::output::{Outcome, show};
+use crate::say::output::{Answer, Outcome, show};
 use compared::CompareOptions;
 use one::compare;
 use slideway_baselines::time_optimal::Solver;
@@ -38,6 +38,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<Outcome, CliError> {
     let loaded = load(name)?;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(loaded.name()));
     let compared = compare(&loaded, name, &options, &out)?;
-    show(arguments.json, &compared.summary, &compared.table, &out)?;
+    let answer = Answer { table: &compared.table, verdict: &compared.sentence };
+    show(arguments.json, &compared.summary, &answer, &out)?;
     Ok(if compared.holds { Outcome::Holds } else { Outcome::Fails })
 }

@@ -4,11 +4,12 @@ use crate::compare::compared::{CompareOptions, Compared, KeyFigures};
 use crate::compare::{law_figures, speed_page, speed_text};
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{compare_error, scenario_error};
-use crate::say::output::{Watched, as_json, begin, create, write_summary};
+use crate::say::output::{Watched, as_json, begin, create, write_summary, wrote_figures};
 use slideway_baselines::time_optimal::Solver;
 use slideway_compare::{SpeedComparison, SpeedOptions, compare_speed};
 use slideway_figures::{LookAheadPoint, LookAheadStudy, Optimum, SpeedStudy, draw_look_ahead, draw_speed_study};
 use slideway_lab::Experiment;
+use slideway_robot::RobotSummary;
 use slideway_scenario::{Scenario, SolverName};
 use std::path::Path;
 
@@ -19,6 +20,7 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
     let options = SpeedOptions {
         name: scenario.name().to_owned(),
         description: scenario.description().to_owned(),
+        robot: Some(RobotSummary::from(&scenario.robot().map_err(pointed)?)),
         judged: scenario.judged_method(),
         tolerance: options.tolerance.unwrap_or_else(|| scenario.tolerance()),
         inter_sample: options.inter_sample,
@@ -30,7 +32,7 @@ pub(crate) fn run(name: &str, options: &CompareOptions, scenario: &Scenario, out
             SolverName::Conic => Solver::Conic,
         }),
     };
-    let watched = Watched::new();
+    let mut watched = Watched::new();
     let compared = compare_speed(&experiment, &options, &mut |progress| watched.show(progress));
     let comparison = compared.map_err(|error| compare_error(error, name, scenario.text()))?;
     watched.writing();
@@ -83,7 +85,8 @@ fn write(
     if points.len() >= 2 {
         figures.push(draw_look_ahead(&LookAheadStudy { title, points: &points }, &figures_dir)?);
     }
-    figures.extend(law_figures::draw(title, comparison, &figures_dir)?);
+    figures.extend(law_figures::draw(title, experiment.joint_names(), comparison, &figures_dir)?);
+    wrote_figures(&figures);
     let page = speed_page::render(summary, scenario.text(), &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
     write_summary(out, summary)

@@ -3,6 +3,7 @@
 use crate::compare::{effort_table, speed_table};
 use crate::say::words::{decimals, short};
 use slideway_compare::{OptimumEntry, SpeedSummary};
+use slideway_lab::LimitUse;
 use slideway_path::SplineDeviation;
 
 /// The comparison as tables with what they mean.
@@ -47,7 +48,9 @@ fn windows(summary: &SpeedSummary) -> String {
 /// Each method's name with its largest use of the limits besides constant joint-speed limits; those that have such uses.
 pub(crate) fn limit_uses(summary: &SpeedSummary) -> impl Iterator<Item = (&'static str, String)> {
     summary.methods.iter().filter(|m| !m.limit_use.is_empty()).map(|m| {
-        let uses: Vec<String> = m.limit_use.iter().map(|u| format!("{} {}", u.kind, short(u.share))).collect();
+        let joint = |u: &LimitUse| u.joint.as_ref().map(|joint| format!(" ({joint})")).unwrap_or_default();
+        let uses: Vec<String> =
+            m.limit_use.iter().map(|u| format!("{} {}{}", u.kind, short(u.share), joint(u))).collect();
         (m.summary.method.name(), uses.join(", "))
     })
 }

@@ -2,10 +2,12 @@
 
 use crate::keep::journal::Journal;
 use crate::say::diagnostic::CliError;
+use crate::say::output::{bar, tell_verbose};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 /// What is shown and kept while pieces of work end.
 pub(crate) struct Work<'a, R> {
@@ -34,8 +36,12 @@ impl<R: Serialize> Work<'_, R> {
             bar.inc(1);
             Ok(())
         };
+        let begin = Instant::now();
         let found = run(&sink);
         bar.finish_and_clear();
+        if let Ok(found) = &found {
+            tell_verbose(|| format!("{:9.3} s  {} runs", begin.elapsed().as_secs_f64(), found.len()));
+        }
         found
     }
 }
@@ -47,7 +53,7 @@ pub(crate) fn jobs(asked: Option<NonZeroUsize>) -> NonZeroUsize {
 }
 
 fn progress(pieces: usize, done: usize) -> ProgressBar {
-    let bar = ProgressBar::new(pieces as u64).with_position(done as u64);
+    let bar = bar(pieces as u64).with_position(done as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} (left: {eta}) {msg}") {
         bar.set_style(style);
     }

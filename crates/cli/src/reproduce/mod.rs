@@ -12,7 +12,7 @@ use crate::compare::compared::CompareOptions;
 use crate::compare::one::compare;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::load;
-use crate::say::output::{Outcome, create, print, print_json, progress, withdraw};
+use crate::say::output::{Outcome, create, print_answer, print_json, progress, withdraw};
 use rows::Reproduction;
 use slideway_lab::Published;
 use slideway_lab::natural::{table_1, table_2};
@@ -42,7 +42,9 @@ pub(crate) fn run(arguments: &ReproduceArguments) -> Result<Outcome, CliError> {
         print_json(&reproduction)?;
     } else {
         let wrote = if all { format!("wrote {}\n", arguments.out.join("index.html").display()) } else { String::new() };
-        print(&format!("{}\n{}\n{wrote}", reproduction.table().terminal(), reproduction.sentence()))?;
+        let sentence = reproduction.sentence();
+        let whole = format!("{}\n{sentence}\n{wrote}", reproduction.table().terminal());
+        print_answer(&whole, &format!("{sentence}\n"))?;
     }
     Ok(if reproduction.lost == 0 { Outcome::Holds } else { Outcome::Fails })
 }

@@ -10,7 +10,7 @@ use comfy_table::{Table, presets};
 use slideway_lab::MAX_JOINTS;
 use slideway_path::formula::constant;
 use slideway_robot::models::Model;
-use slideway_robot::{ChainEnds, DriveEffects, RobotDescription};
+use slideway_robot::{ChainEnds, DriveEffects, RobotDescription, RobotSummary};
 use slideway_scenario::robot_in;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &RobotArguments) -> Result<Outcome, CliError> {
     if arguments.json {
         print_json(&state)?;
     } else {
-        print(&render(&robot, &inputs, &state))?;
+        print(&render(&inputs, &state))?;
     }
     Ok(Outcome::Holds)
 }
@@ -132,12 +132,8 @@ fn numbers(option: &'static str, text: Option<&str>, joints: usize) -> Result<Op
     Ok(Some(numbers))
 }
 
-fn render(robot: &RobotDescription, inputs: &Inputs, state: &RobotState) -> String {
-    let mut text = format!("{}: {} joints from `{}` to `{}`\n", robot.name, robot.joint_count(), robot.base, robot.tip);
-    for note in &robot.notes {
-        let _ = writeln!(text, "note: {note}");
-    }
-    let _ = writeln!(text, "{}\n", joint_table(robot, inputs));
+fn render(inputs: &Inputs, state: &RobotState) -> String {
+    let mut text = description(&state.robot, inputs);
     let mut matrix = |title: &str, rows: &[Vec<f64>]| {
         let _ = writeln!(text, "{title}\n{}", rows.iter().map(|row| line(row)).collect::<String>());
     };
@@ -166,21 +162,36 @@ fn line(row: &[f64]) -> String {
     row.iter().map(|x| format!("{:>13.6}", if x.abs() < 5e-7 { 0.0 } else { *x })).collect::<String>() + "\n"
 }
 
-fn joint_table(robot: &RobotDescription, inputs: &Inputs) -> Table {
+/// Base, tip, joints with their limits, gravity where it counts, and notes.
+fn description(robot: &RobotSummary, inputs: &Inputs) -> String {
+    let mut text = format!("{}: {} joints from `{}` to `{}`\n", robot.name, robot.joints.len(), robot.base, robot.tip);
+    if robot.has_masses {
+        let [x, y, z] = robot.gravity;
+        let _ = writeln!(text, "gravity in `{}`: {x:.4} {y:.4} {z:.4} m/s²", robot.base);
+    }
+    for note in &robot.notes {
+        let _ = writeln!(text, "note: {note}");
+    }
+    text + &joint_table(robot, inputs).to_string() + "\n\n"
+}
+
+fn joint_table(robot: &RobotSummary, inputs: &Inputs) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(["joint", "kind", "q", "lower", "upper", "speed", "torque"]);
+    let header = ["joint", "kind", "q", "lower", "upper", "speed", "acceleration", "torque"];
+    table.load_style(presets::NOTHING).set_header(header);
     let cell = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4}"));
     for (joint, &q) in robot.joints.iter().zip(&inputs.q) {
-        let range = joint.limits.position;
-        let outside = range.is_some_and(|r| !r.contains(q));
+        let [lower, upper] = joint.position;
+        let outside = lower.is_some_and(|lower| q < lower) || upper.is_some_and(|upper| q > upper);
         table.add_row([
             joint.name.clone(),
-            format!("{:?}", joint.joint.kind).to_lowercase(),
+            format!("{:?}", joint.kind).to_lowercase(),
             format!("{q:.4}{}", if outside { " (outside)" } else { "" }),
-            cell(range.map(|r| r.lower)),
-            cell(range.map(|r| r.upper)),
-            cell(joint.limits.velocity),
-            cell(joint.limits.effort),
+            cell(lower),
+            cell(upper),
+            cell(joint.speed),
+            cell(joint.acceleration),
+            cell(joint.torque),
         ]);
     }
     table

@@ -1,6 +1,8 @@
 use crate::say::diagnostic::CliError;
 use serde::Serialize;
-use slideway_robot::{DriveEffects, Dynamics, JointVector, RobotDescription, RobotError, Task, manipulability};
+use slideway_robot::{
+    DriveEffects, Dynamics, JointVector, RobotDescription, RobotError, RobotSummary, Task, manipulability,
+};
 
 /// What is asked of a robot: positions, speeds, accelerations, and torques if there are any.
 pub(crate) struct Inputs {
@@ -14,6 +16,8 @@ pub(crate) struct Inputs {
 /// A robot at one state: what `slideway robot --json` prints. Matrices by rows; what needs masses is `null` without them.
 #[derive(Debug, Serialize)]
 pub(crate) struct RobotState {
+    /// The robot, as in `summary.json`.
+    pub(crate) robot: RobotSummary,
     /// Pose of the tool in the base frame, 4×4.
     pub(crate) pose: Vec<Vec<f64>>,
     /// Geometric Jacobian at the tool's origin in the base frame, 6×n, linear rows first.
@@ -51,6 +55,7 @@ fn state<const N: usize>(robot: &RobotDescription, inputs: &Inputs) -> Result<Ro
     let q = vector::<N>(&inputs.q)?;
     let jacobian = arm.jacobian(&q);
     let mut state = RobotState {
+        robot: robot.into(),
         pose: rows(&arm.forward(&q).to_homogeneous()),
         jacobian: rows(&jacobian),
         manipulability: manipulability(Task::Pose, &jacobian),

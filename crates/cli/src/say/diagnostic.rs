@@ -178,7 +178,7 @@ impl From<CompareError> for CliError {
 /// Of verification and tuning, which have one scenario.
 impl From<OptimumError> for CliError {
     fn from(error: OptimumError) -> Self {
-        CompareError::NoOptimum { error, widening: None }.into()
+        CompareError::NoOptimum { error, joint: None, widening: None }.into()
     }
 }
 

@@ -3,6 +3,7 @@
 pub(crate) mod diagnostic;
 pub(crate) mod failures;
 pub(crate) mod loaded;
+pub(crate) mod loudness;
 pub(crate) mod output;
 pub(crate) mod page;
 pub(crate) mod snippet;

@@ -1,6 +1,6 @@
 use crate::args::StudyArguments;
 use crate::say::diagnostic::{CliError, Named};
-use crate::say::output::{Outcome, begin, create, show, write_summary};
+use crate::say::output::{Answer, Outcome, begin, create, show, write_summary, wrote_figures};
 use crate::say::page::Page;
 use crate::say::table::{Column, Table};
 use crate::say::words::{nearest, short};
@@ -41,11 +41,13 @@ fn run_one(study: Study, out: &Path, arguments: &StudyArguments) -> Result<Outco
     let failed = |error| CliError::Study { error: Box::new(error), name: study.name() };
     let report = slideway_study::run(study, arguments.seed).map_err(failed)?;
     let figures_dir = begin(out)?;
-    let figure = draw_chart(&chart(&report), &figures_dir)?;
-    let page = page(&report, study, &[figure]);
+    let figures = [draw_chart(&chart(&report), &figures_dir)?];
+    wrote_figures(&figures);
+    let page = page(&report, study, &figures);
     create(out.join("report.html"), |file| file.write_all(page.as_bytes()))?;
     write_summary(out, &report)?;
-    show(arguments.json, &report, &text(&report, study), out)?;
+    let answer = Answer { table: &text(&report, study), verdict: &report.sentence };
+    show(arguments.json, &report, &answer, out)?;
     Ok(if report.holds { Outcome::Holds } else { Outcome::Fails })
 }
 

@@ -8,7 +8,7 @@ use crate::keep::parallel::{Work, jobs};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::sweep::SweepFailure;
 use crate::say::loaded::source;
-use crate::say::output::{Outcome, create, json_text, print, withdraw};
+use crate::say::output::{Outcome, create, json_text, print, print_answer, withdraw, wrote_figures};
 use journal::{Opened, write_csv};
 use slideway_compare::sweep::{SweepRow, run_sweep};
 use slideway_figures::{EscapeStudy, EscapeVariant, draw_escape_times};
@@ -44,7 +44,8 @@ pub(crate) fn run(arguments: &SweepArguments) -> Result<Outcome, CliError> {
     if arguments.json {
         print(&text)?;
     } else {
-        print(&format!("{}wrote {}\n", table::render(&plan, &summary), out.join("rows.csv").display()))?;
+        let whole = format!("{}wrote {}\n", table::render(&plan, &summary), out.join("rows.csv").display());
+        print_answer(&whole, &format!("{}\n", table::sentence(&plan, &summary.all)))?;
     }
     Ok(if summary.all.failures.total == 0 { Outcome::Holds } else { Outcome::Fails })
 }
@@ -117,6 +118,6 @@ fn draw(out: &Path, plan: &SweepPlan, rows: &[SweepRow]) -> Result<(), CliError>
         .map(|(label, escape_s, failures)| EscapeVariant { label, escape_s, failures: *failures })
         .collect();
     let study = EscapeStudy { title: &plan.request().name, variants: &variants };
-    draw_escape_times(&study, &out.join("figures"))?;
+    wrote_figures(&[draw_escape_times(&study, &out.join("figures"))?]);
     Ok(())
 }

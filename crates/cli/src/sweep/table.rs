@@ -54,7 +54,8 @@ fn number(value: Option<f64>) -> String {
     value.map_or("-".into(), short)
 }
 
-fn sentence(plan: &SweepPlan, totals: &SweepTotals) -> String {
+/// Runs and failures in words.
+pub(crate) fn sentence(plan: &SweepPlan, totals: &SweepTotals) -> String {
     let failures = &totals.failures;
     if failures.total == 0 {
         return format!("No failure in {} runs.", totals.runs);

@@ -1,10 +1,10 @@
 use crate::args::TuneArguments;
 use crate::say::diagnostic::CliError;
 use crate::say::loaded::{load, scenario_error};
-use crate::say::output::{Outcome, create, json_text, print};
+use crate::say::output::{Outcome, create, print_answer, print_json};
 use crate::say::table::Table;
 use crate::say::words::apart;
-use slideway_scenario::{TunedScenario, Tuning, TuningError};
+use slideway_scenario::{Change, TunedScenario, Tuning, TuningError};
 use slideway_verify::{Impossible, Prediction, TuneRequest, VerifyError};
 use std::path::Path;
 
@@ -23,7 +23,12 @@ pub(crate) fn run(arguments: &TuneArguments) -> Result<Outcome, CliError> {
     if let (Tuning::Tuned(tuned), Some(out)) = (&outcome, &arguments.out) {
         create(out.clone(), |file| file.write_all(tuned.text.as_bytes()))?;
     }
-    print(&shown(&outcome, arguments, &request)?)?;
+    if arguments.json {
+        print_json(&outcome)?;
+    } else {
+        let (whole, verdict) = shown(&outcome, arguments, &request);
+        print_answer(&whole, &verdict)?;
+    }
     Ok(match outcome {
         Tuning::Tuned(_) => Outcome::Holds,
         Tuning::Impossible(_) => Outcome::Fails,
@@ -41,25 +46,27 @@ fn in_file(error: TuningError, arguments: &TuneArguments, text: &str) -> CliErro
     }
 }
 
-fn shown(outcome: &Tuning, arguments: &TuneArguments, request: &TuneRequest) -> Result<String, CliError> {
-    if arguments.json {
-        return json_text(outcome);
+/// The whole answer, and the values or the refusal alone.
+fn shown(outcome: &Tuning, arguments: &TuneArguments, request: &TuneRequest) -> (String, String) {
+    match outcome {
+        Tuning::Tuned(tuned) => (tuned_in_words(tuned, arguments.out.as_deref()), changes(tuned)),
+        Tuning::Impossible(impossible) => {
+            let text = impossible_in_words(impossible, request);
+            (text.clone(), text)
+        }
     }
-    Ok(match outcome {
-        Tuning::Tuned(tuned) => tuned_in_words(tuned, arguments.out.as_deref()),
-        Tuning::Impossible(impossible) => impossible_in_words(impossible, request),
-    })
+}
+
+fn changes(tuned: &TunedScenario) -> String {
+    if tuned.changes.is_empty() {
+        return "Nothing needs to change.\n".into();
+    }
+    let line = |c: &Change| format!("{} = {} {} (was {})\n", c.key, c.after, c.unit, c.before);
+    tuned.changes.iter().map(line).collect()
 }
 
 fn tuned_in_words(tuned: &TunedScenario, out: Option<&Path>) -> String {
-    let mut text = String::new();
-    if tuned.changes.is_empty() {
-        text += "Nothing needs to change.\n";
-    }
-    for change in &tuned.changes {
-        text += &format!("{} = {} {} (was {})\n", change.key, change.after, change.unit, change.before);
-    }
-    text += "\n";
+    let mut text = changes(tuned) + "\n";
     for sentence in &tuned.trade_off {
         text += &format!("{sentence}\n");
     }

@@ -15,7 +15,7 @@ use crate::keep::parallel::{Work, jobs};
 use crate::say::diagnostic::CliError;
 use crate::say::failures::verify::VerifyFailure;
 use crate::say::loaded::{load, scenario_error};
-use crate::say::output::{Outcome, print, print_json};
+use crate::say::output::{Outcome, print_answer, print_json, tell};
 use crate::verify::journal::{CampaignIdentity, Held, SmallestCase, TRIALS};
 use crate::verify::output::Finished;
 use crate::verify::results::{Results, first_failures};
@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<Outcome, CliError> {
     };
     let (journal, held) = journal::open(&out.join(TRIALS), &identity)?;
     if !arguments.json {
-        print(&table::statement(name, campaign.statement()))?;
+        tell(&table::statement(name, campaign.statement()))?;
     }
     let work = Campaigning { campaign: &campaign, scenario: &scenario, journal: &journal, file: &arguments.scenario };
     let (trials, smallest) = work.finish(&identity, held, jobs(arguments.jobs))?;
@@ -71,7 +71,8 @@ pub(crate) fn show(results: &Results, out: &Path, json: bool) -> Result<Outcome,
     if json {
         print_json(results)?;
     } else {
-        print(&format!("{}wrote {}\n", table::results(results, out), out.join("report.html").display()))?;
+        let whole = format!("{}wrote {}\n", table::results(results, out), out.join("report.html").display());
+        print_answer(&whole, &table::verdict(results, out))?;
     }
     Ok(if results.holds { Outcome::Holds } else { Outcome::Fails })
 }
@@ -85,7 +86,7 @@ fn show_shard(results: &Results, shard: Shard, out: &Path, json: bool) -> Result
         out.join(TRIALS).display(),
         shard.of()
     );
-    print(&format!("shard {shard}\n{}{next}", table::results(results, out)))?;
+    print_answer(&format!("shard {shard}\n{}{next}", table::results(results, out)), &table::verdict(results, out))?;
     Ok(if results.holds { Outcome::Holds } else { Outcome::Fails })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::keep::files;
 use crate::say::diagnostic::CliError;
-use crate::say::output::{create, json_text, withdraw};
+use crate::say::output::{create, json_text, withdraw, wrote_figures};
 use crate::verify::journal::{CampaignIdentity, SmallestCase};
 use crate::verify::results::{GuaranteeResult, Results, checks_of, file_of};
 use crate::verify::{junit, page};
@@ -53,7 +53,9 @@ impl Finished<'_> {
             return Ok(None);
         }
         let study = TrialsStudy { title: &results.scenario, panels: &panels };
-        Ok(Some(draw_trials(&study, &out.join("figures"))?))
+        let figure = draw_trials(&study, &out.join("figures"))?;
+        wrote_figures(std::slice::from_ref(&figure));
+        Ok(Some(figure))
     }
 }
 

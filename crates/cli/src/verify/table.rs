@@ -27,7 +27,7 @@ pub(crate) fn statement(scenario: &str, statement: &Statement) -> String {
     )
 }
 
-/// What the trials came to, and the commands that run the failing cases.
+/// What the trials came to, with the verdict.
 pub(crate) fn results(results: &Results, out: &Path) -> String {
     let mut guarantees = Table::new(["guarantee", "bound", "trials checked", "smallest margin", "violations"]);
     for g in &results.guarantees {
@@ -38,7 +38,12 @@ pub(crate) fn results(results: &Results, out: &Path) -> String {
     for (name, trials) in &results.trials_outside {
         text += &format!("{trials} of {} trials lie outside the hypothesis {name}\n", results.trials);
     }
-    text += &format!("{}\n", results.verdict);
+    text + &verdict(results, out)
+}
+
+/// The verdict, and the commands that run the failing cases.
+pub(crate) fn verdict(results: &Results, out: &Path) -> String {
+    let mut text = format!("{}\n", results.verdict);
     for g in results.guarantees.iter().filter(|g| !g.kept()) {
         text += &format!("\n{}\n", failing(g, results.seed).join("\n"));
         if let Some(failing) = &g.failing {

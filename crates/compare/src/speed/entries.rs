@@ -6,7 +6,7 @@ use slideway_baselines::time_optimal::{
     time_optimum_by,
 };
 use slideway_lab::{Effort, Experiment, LimitUse, MethodSummary, Trace};
-use slideway_path::{Likeness, LimitKind, PositionExcess, ProblemError, SampledPath, SplineDeviation};
+use slideway_path::{Likeness, LimitKind, PositionExcess, PositionSource, ProblemError, SampledPath, SplineDeviation};
 
 /// A method's summary and what it means beside the optimum.
 #[derive(Clone, Debug, Serialize)]
@@ -311,11 +311,34 @@ impl GridEntry {
     }
 }
 
-/// A joint that leaves its range, in words.
-pub(crate) fn excess_in_words(excess: &PositionExcess) -> String {
-    let PositionExcess { joint, lambda, position, lower, upper, .. } = excess;
-    format!(
-        "joint {} is at {position:.4} at path parameter {lambda:.4}, outside its range [{lower:.4}, {upper:.4}]",
-        joint + 1
-    )
+/// A joint that leaves its range along the path.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExcessEntry {
+    /// Name of the joint.
+    pub joint: String,
+    /// Path parameter where it is farthest outside.
+    pub lambda: f64,
+    /// Its position there, rad (m).
+    pub position: f64,
+    /// Lower end of its range.
+    pub lower: f64,
+    /// Upper end of its range.
+    pub upper: f64,
+    /// Who gave the range.
+    pub source: PositionSource,
+}
+
+impl ExcessEntry {
+    /// An excess of a joint by its name.
+    pub(crate) fn new(excess: &PositionExcess, joint_names: &[String]) -> Self {
+        let PositionExcess { joint, lambda, position, lower, upper, source } = *excess;
+        Self { joint: joint_names[joint].clone(), lambda, position, lower, upper, source }
+    }
+
+    pub(crate) fn in_words(&self) -> String {
+        let Self { joint, lambda, position, lower, upper, .. } = self;
+        format!(
+            "joint `{joint}` is at {position:.4} at path parameter {lambda:.4}, outside its range [{lower:.4}, {upper:.4}]"
+        )
+    }
 }

@@ -12,14 +12,15 @@ pub(crate) mod windows;
 
 use crate::error::{CompareError, check_refinement, check_shares};
 use crate::progress::{Stage, Steps, Watch};
-use entries::{MethodEntry, OptimumEntry, Solved};
+use entries::{ExcessEntry, MethodEntry, OptimumEntry, Solved};
 use judged::Judged;
 use laws::{LawCourse, LawModelError, ModelErrorEntry};
 use motion::OptimumMotion;
 use slideway_baselines::path_bracket::BracketOptions;
 use slideway_baselines::time_optimal::{OptimumError, Solver, TimeOptimum, needed_widening};
 use slideway_lab::{Experiment, Method, Trace};
-use slideway_path::SampledPath;
+use slideway_path::{LimitKind, SampledPath};
+use slideway_robot::RobotSummary;
 use summary::{LeftOut, SpeedSummary};
 use verdict::SpeedVerdict;
 use whole::{NoWhole, WholeOptimum, WholeOptions};
@@ -35,6 +36,8 @@ pub struct SpeedOptions {
     pub name: String,
     /// A line about it, for the summary.
     pub description: String,
+    /// The robot, for the summary.
+    pub robot: Option<RobotSummary>,
     /// Method that the verdict is about; `None` for the experiment's own choice.
     pub judged: Option<Method>,
     /// Largest difference of the judged method's time from the optimum's, as a share of the optimum's.
@@ -58,6 +61,7 @@ impl SpeedOptions {
         Self {
             name: name.to_owned(),
             description: String::new(),
+            robot: None,
             judged: None,
             tolerance: 0.02,
             inter_sample: None,
@@ -120,7 +124,7 @@ pub fn compare_speed(
     let finer = experiment.sample(2 * options.grid_points, 0)?;
     let whole = WholeOptimum::new(experiment, options.whole());
     let solved = Solved::new([&path, &finer], whole, options.inter_sample, options.solver)
-        .map_err(|error| no_optimum(error, &path))?;
+        .map_err(|error| no_optimum(error, &path, experiment.joint_names()))?;
     let study = Study { experiment, options, path: &path, finer: &finer, judged };
     let mut summary = study.summarise(&traces, &solved)?;
     steps.at(Stage::Variations)?;
@@ -135,10 +139,18 @@ pub fn compare_speed(
     Ok(SpeedComparison { summary, traces, whole, optimum, path, courses, model_errors })
 }
 
-/// Adds by how much limits that no profile keeps would have to give way.
-fn no_optimum(error: OptimumError, path: &SampledPath) -> CompareError {
+/// Adds the name of the joint whose limit no profile keeps, and by how much such limits would have to give way.
+fn no_optimum(error: OptimumError, path: &SampledPath, joint_names: &[String]) -> CompareError {
+    let joint = match error {
+        OptimumError::Infeasible {
+            kind: LimitKind::JointSpeed | LimitKind::JointAcceleration | LimitKind::JointTorque,
+            index,
+            ..
+        } => joint_names.get(index).cloned(),
+        _ => None,
+    };
     let widening = matches!(error, OptimumError::Infeasible { .. }).then(|| needed_widening(path)).flatten();
-    CompareError::NoOptimum { error, widening }
+    CompareError::NoOptimum { error, joint, widening }
 }
 
 /// An experiment with its path on a grid and on one twice as fine.
@@ -179,10 +191,12 @@ impl Study<'_> {
         };
         let of_judged = methods.iter().zip(traces).find(|(_, trace)| trace.method == self.judged).map(judge);
         let verdict = SpeedVerdict::new(self.judged, options.tolerance, of_judged.as_ref());
-        let position_excesses = experiment.position_excesses();
+        let named = |excess| ExcessEntry::new(excess, experiment.joint_names());
+        let position_excesses: Vec<_> = experiment.position_excesses().iter().map(named).collect();
         Ok(SpeedSummary {
             scenario: options.name.clone(),
             description: options.description.clone(),
+            robot: options.robot.clone(),
             verdict: verdict.under_position_limits(&position_excesses),
             methods,
             optimum,
@@ -208,12 +222,13 @@ impl Study<'_> {
             return Ok(None);
         }
         let (path, finer) = (self.path.under_speed_limits_alone(), self.finer.under_speed_limits_alone());
+        let names = self.experiment.joint_names();
         let whole = match whole {
             Ok(whole) => whole.under_speed_limits_alone(self.options.whole()),
             Err(why) => Err(why.clone()),
         };
-        let solved =
-            Solved::new([&path, &finer], whole, None, self.options.solver).map_err(|error| no_optimum(error, &path))?;
+        let solved = Solved::new([&path, &finer], whole, None, self.options.solver)
+            .map_err(|error| no_optimum(error, &path, names))?;
         Ok(Some(OptimumEntry::new(&solved, self.path.speed_limited_time())))
     }
 }

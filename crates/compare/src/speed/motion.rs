@@ -2,7 +2,7 @@
 
 use crate::speed::whole::WholeOptimum;
 use slideway_baselines::time_optimal::TimeOptimum;
-use slideway_lab::{Experiment, JointMotion, JointUnits, LimitUse, MAX_SAMPLES};
+use slideway_lab::{Experiment, JointMotion, JointUnits, LimitUse, MAX_SAMPLES, csv};
 use slideway_path::{JointPathPoint, ProblemError};
 use std::fmt::Write as _;
 use std::io;
@@ -94,7 +94,7 @@ impl OptimumMotion {
             columns.extend(joints().map(|(name, unit)| format!("torque_{name}_{}", plain(unit.load))));
         }
         columns.extend(["limit", "limit_use"].map(str::to_owned));
-        columns.join(",")
+        csv::header(&columns)
     }
 
     fn row(&self, sample: &OptimumSample, line: &mut String) {
@@ -104,9 +104,9 @@ impl OptimumMotion {
         for value in [q, speed, acceleration].into_iter().chain(&sample.torque).flatten() {
             let _ = write!(line, ",{value}");
         }
-        let _ = match sample.limit {
-            Some(LimitUse { kind, joint, share, .. }) if kind.is_of_a_joint() => {
-                write!(line, ",{kind} {},{share}", self.joint_names[joint])
+        let _ = match &sample.limit {
+            Some(LimitUse { kind, joint: Some(joint), share, .. }) => {
+                write!(line, ",{},{share}", csv::field(&format!("{kind} {joint}")))
             }
             Some(LimitUse { kind, share, .. }) => write!(line, ",{kind},{share}"),
             None => write!(line, ",,"),

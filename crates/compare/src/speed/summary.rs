@@ -1,10 +1,10 @@
-use crate::speed::entries::{MethodEntry, OptimumEntry, excess_in_words};
+use crate::speed::entries::{ExcessEntry, MethodEntry, OptimumEntry};
 use crate::speed::laws::{ModelErrorEntry, ScaledLimits};
 use crate::speed::verdict::SpeedVerdict;
 use crate::speed::windows::WindowEntry;
 use serde::Serialize;
 use slideway_lab::{Disturbances, Effort, Method};
-use slideway_path::PositionExcess;
+use slideway_robot::RobotSummary;
 
 /// A comparison of speed laws in numbers and words. Times in s, lengths in m, angles in rad.
 #[derive(Clone, Debug, Serialize)]
@@ -13,6 +13,8 @@ pub struct SpeedSummary {
     pub scenario: String,
     /// Its description.
     pub description: String,
+    /// The robot as its file or table describes it; null where the caller gave none.
+    pub robot: Option<RobotSummary>,
     /// One entry per method.
     pub methods: Vec<MethodEntry>,
     /// The optimum under all limits the scenario gives.
@@ -30,7 +32,7 @@ pub struct SpeedSummary {
     /// Joints beyond the tool coordinates of the path, moved as little as the path allows (pseudo-inverse).
     pub spare_joints: usize,
     /// Joints that leave their position ranges along the path.
-    pub position_excesses: Vec<PositionExcess>,
+    pub position_excesses: Vec<ExcessEntry>,
     /// What disturbed the methods' runs; null where nothing did. The optimum is that of the undisturbed problem.
     pub disturbances: Option<Disturbances>,
     /// Methods that the limits call for and that cannot be run on this problem, with the reason; null where there are none.
@@ -61,7 +63,8 @@ impl SpeedSummary {
                 if self.spare_joints == 1 { "one joint".into() } else { format!("{} joints", self.spare_joints) }
             )
         });
-        let outside = |excess| format!("{}; ranges of joints are reported, not enforced", excess_in_words(excess));
+        let outside =
+            |excess: &ExcessEntry| format!("{}; ranges of joints are reported, not enforced", excess.in_words());
         let disturbed = self.disturbances.as_ref().map(|d| format!("the runs are disturbed: {d}; the optimum is not"));
         let left_out = self.left_out.as_ref().map(|left| {
             let names: Vec<&str> = left.methods.iter().map(|method| method.name()).collect();

@@ -1,11 +1,11 @@
-use crate::speed::entries::{MethodEntry, excess_in_words};
+use crate::speed::entries::{ExcessEntry, MethodEntry};
 use crate::speed::judged::{Judged, subject};
 use crate::speed::obstacle::{LIMIT_SLACK, obstacle, reached_a_limit};
 use crate::speed::whole::CertifiedFor;
 use crate::words::{fixed, short};
 use serde::Serialize;
 use slideway_lab::{ARRIVAL_ORIENTATION, ARRIVAL_POSITION, Method};
-use slideway_path::{LimitKind, PositionExcess, PositionSource};
+use slideway_path::{LimitKind, PositionSource};
 
 /// A verdict on speed: does the judged method match the optimum?
 #[derive(Clone, Debug, Serialize)]
@@ -86,11 +86,11 @@ impl SpeedVerdict {
     }
 
     /// The same verdict, unless the path leaves position ranges that the scenario gives: then no time counts.
-    pub(crate) fn under_position_limits(self, excesses: &[PositionExcess]) -> Self {
+    pub(crate) fn under_position_limits(self, excesses: &[ExcessEntry]) -> Self {
         match excesses.iter().find(|excess| excess.source == PositionSource::Scenario) {
             None => self,
             Some(excess) => {
-                let sentence = format!("No: {}.", excess_in_words(excess));
+                let sentence = format!("No: {}.", excess.in_words());
                 Self { holds: false, status: VerdictStatus::Fails, sentence, ..self }
             }
         }

@@ -1,3 +1,4 @@
+use crate::csv;
 use crate::run::trace::push_number;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -163,7 +164,7 @@ impl ConditionedTrace {
             columns.extend([format!("sigma_{name}_m"), format!("phi_{name}_m"), format!("share_{name}")]);
         }
         columns.push("phase".into());
-        writeln!(out, "{}", columns.join(","))?;
+        writeln!(out, "{}", csv::header(&columns))?;
         let mut line = String::new();
         for s in &self.samples {
             line.clear();

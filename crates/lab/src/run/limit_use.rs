@@ -7,12 +7,12 @@ use slideway_path::ProblemError;
 use slideway_robot::JointVector;
 
 /// The largest use that a run made of one kind of limit while the reference moved.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LimitUse {
     /// Kind of the limit.
     pub kind: LimitKind,
-    /// The joint, counted from 0; 0 for the tool.
-    pub joint: usize,
+    /// Name of the joint; `None` for the tool.
+    pub joint: Option<String>,
     /// Path parameter where.
     pub lambda: f64,
     /// Share of the limit: 1 is the limit itself.
@@ -41,6 +41,16 @@ pub struct MotionInstant {
     pub limit: Option<LimitUse>,
 }
 
+/// The same at one sample.
+#[derive(Clone, Copy)]
+struct Use {
+    kind: LimitKind,
+    /// Counted from 0.
+    joint: Option<usize>,
+    lambda: f64,
+    share: f64,
+}
+
 /// The motion at one sample: speeds are held over samples, accelerations are their change over one.
 struct Instant<const N: usize> {
     lambda: f64,
@@ -57,7 +67,7 @@ impl<const N: usize> Problem<N> {
     pub(crate) fn limit_use(&self, trace: &Trace) -> Vec<LimitUse> {
         let following = trace.following();
         let start = following.iter().position(|s| s.path_rate > 0.0).unwrap_or(following.len());
-        let mut worst: Vec<LimitUse> = Vec::new();
+        let mut worst: Vec<Use> = Vec::new();
         for pair in following[start..].windows(2) {
             let instant = self.instant(&pair[0], &pair[1], trace.sampling_period);
             for found in self.uses(&instant) {
@@ -69,7 +79,12 @@ impl<const N: usize> Problem<N> {
                 }
             }
         }
-        worst
+        worst.into_iter().map(|found| self.named(found)).collect()
+    }
+
+    fn named(&self, found: Use) -> LimitUse {
+        let Use { kind, joint, lambda, share } = found;
+        LimitUse { kind, joint: joint.map(|joint| self.joint_names[joint].clone()), lambda, share }
     }
 
     /// Largest share of a joint-speed limit used by a command; infinite for one that is not a number.
@@ -101,7 +116,8 @@ impl<const N: usize> Problem<N> {
             uses.extend(worst(LimitKind::JointSpeed, motion.lambda, &speed, &JointRange { lower, upper }));
         }
         let torque = self.dynamics.as_ref().map(|d| d.inverse(&q, &speed, &acceleration).iter().copied().collect());
-        MotionInstant { torque, limit: uses.into_iter().max_by(|a, b| a.share.total_cmp(&b.share)) }
+        let limit = uses.into_iter().max_by(|a, b| a.share.total_cmp(&b.share)).map(|found| self.named(found));
+        MotionInstant { torque, limit }
     }
 
     fn instant(&self, before: &Sample, here: &Sample, period: f64) -> Instant<N> {
@@ -119,7 +135,7 @@ impl<const N: usize> Problem<N> {
         }
     }
 
-    fn uses(&self, instant: &Instant<N>) -> Vec<LimitUse> {
+    fn uses(&self, instant: &Instant<N>) -> Vec<Use> {
         let mut uses = Vec::new();
         if let Some(bounds) = &self.path.speed_along {
             uses.extend(worst(LimitKind::JointSpeed, instant.lambda, &instant.speed, &bounds.at(instant.lambda)));
@@ -133,7 +149,7 @@ impl<const N: usize> Problem<N> {
             uses.extend(worst(LimitKind::JointTorque, instant.lambda, &torque, &limits.bounds.at(instant.lambda)));
         }
         let tool =
-            |kind, value: f64, limit: f64| LimitUse { kind, joint: 0, lambda: instant.lambda, share: value / limit };
+            |kind, value: f64, limit: f64| Use { kind, joint: None, lambda: instant.lambda, share: value / limit };
         uses.extend(self.path.tool_limits.speed.map(|limit| tool(LimitKind::ToolSpeed, instant.tool_speed, limit)));
         let acceleration = self.path.tool_limits.acceleration;
         uses.extend(acceleration.map(|limit| tool(LimitKind::ToolAcceleration, instant.tool_acceleration, limit)));
@@ -142,16 +158,11 @@ impl<const N: usize> Problem<N> {
 }
 
 /// The joint that uses most of its limit.
-fn worst<const N: usize>(
-    kind: LimitKind,
-    lambda: f64,
-    values: &JointVector<N>,
-    range: &JointRange<N>,
-) -> Option<LimitUse> {
+fn worst<const N: usize>(kind: LimitKind, lambda: f64, values: &JointVector<N>, range: &JointRange<N>) -> Option<Use> {
     (0..N)
-        .map(|joint| LimitUse {
+        .map(|joint| Use {
             kind,
-            joint,
+            joint: Some(joint),
             lambda,
             share: share(values[joint], range.lower[joint], range.upper[joint]),
         })

@@ -1,3 +1,4 @@
+use crate::csv;
 use crate::joints::JointUnits;
 use crate::joints::MAX_JOINTS;
 use crate::method::Method;
@@ -87,7 +88,7 @@ impl Trace {
         self.samples.iter().find(|s| s.path_rate > 0.0).map(|s| s.t)
     }
 
-    /// Writes the trace as CSV, one row per sample, units in the column names.
+    /// Writes the trace as CSV, one row per sample: names of the joints and units in the column names, `q_elbow_rad`.
     ///
     /// # Errors
     ///
@@ -108,13 +109,13 @@ impl Trace {
             ["t_s", "lambda", "lambda_rate_per_s", "f", "u", "fdir", "limit_ratio", "limiting_joint"]
                 .map(str::to_owned)
                 .to_vec();
-        for (name, per) in [("q", ""), ("qd_desired", "_per_s"), ("qd_commanded", "_per_s")] {
-            let units = self.units.iter().take(self.joints).enumerate();
-            columns.extend(units.map(|(i, unit)| format!("{name}{}_{}{per}", i + 1, unit.position)));
+        for (kind, per) in [("q", ""), ("qd_desired", "_per_s"), ("qd_commanded", "_per_s")] {
+            let joints = self.joint_names.iter().zip(&self.units).take(self.joints);
+            columns.extend(joints.map(|(name, unit)| format!("{kind}_{name}_{}{per}", unit.position)));
         }
         columns.extend(["x_m", "y_m", "z_m", "alpha_rad", "beta_rad", "gamma_rad"].map(|c| format!("error_{c}")));
         columns.extend(["measured", "bound", "estimate"].map(|c| format!("chattering_{c}")));
-        columns.join(",")
+        csv::header(&columns)
     }
 
     fn row(&self, s: &Sample, line: &mut String) {
@@ -124,8 +125,8 @@ impl Trace {
             push_number(line, value);
         }
         line.push(',');
-        if let Some(joint) = s.limiting_joint {
-            let _ = write!(line, "{}", joint + 1);
+        if let Some(joint) = s.limiting_joint.and_then(|joint| self.joint_names.get(joint)) {
+            line.push_str(&csv::field(joint));
         }
         let joints = [&s.q, &s.desired, &s.commanded];
         let chatter = s.chatter.map_or([f64::NAN; 3], |c| [c.measured, c.bound, c.estimate]);

@@ -21,7 +21,7 @@ pub enum PositionSource {
 }
 
 /// A joint that leaves its range along the path.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionExcess {
     /// The joint, counted from 0.
     pub joint: usize,

@@ -1,47 +1,64 @@
 //! Curves through way-points as they are written in a scenario.
 
 use super::number::Number;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// A cubic spline through way-points.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SplineTable {
+    /// The way-points, a list of numbers each.
     pub(crate) points: Option<Vec<Vec<Number>>>,
+    /// A CSV file instead of `points`, a way-point a row, relative to the scenario file.
     pub(crate) csv: Option<String>,
+    /// Lambda along the way-points (default: chord).
     pub(crate) spacing: Option<SpacingName>,
+    /// Lambda at each way-point, instead of `spacing`.
     pub(crate) at: Option<Vec<Number>>,
+    /// The ends of the spline (default: not-a-knot).
     #[serde(default)]
     pub(crate) ends: EndsTable,
 }
 
 /// Lines between way-points, rounded by blends.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LinesTable {
+    /// The way-points, a list of numbers each.
     pub(crate) points: Option<Vec<Vec<Number>>>,
+    /// A CSV file instead of `points`, a way-point a row, relative to the scenario file.
     pub(crate) csv: Option<String>,
+    /// Lambda along the way-points (default: chord).
     pub(crate) spacing: Option<SpacingName>,
+    /// Lambda at each way-point, instead of `spacing`.
     pub(crate) at: Option<Vec<Number>>,
+    /// Half-width of the rounding, as a share of the shorter neighbouring line: 0 (corners) to 0.5.
     pub(crate) blend: Number,
 }
 
 /// Way-points of position and orientation together.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PosesTable {
+    /// The way-points, a list of numbers each.
     pub(crate) points: Option<Vec<Vec<Number>>>,
+    /// A CSV file instead of `points`, a way-point a row, relative to the scenario file.
     pub(crate) csv: Option<String>,
+    /// Lambda along the way-points (default: chord).
     pub(crate) spacing: Option<SpacingName>,
+    /// Lambda at each way-point, instead of `spacing`.
     pub(crate) at: Option<Vec<Number>>,
+    /// The curve of the positions (default: spline).
     #[serde(default)]
     pub(crate) position: PosePositionTable,
+    /// The curve of the orientations (default: squad).
     #[serde(default)]
     pub(crate) orientation: PoseOrientationName,
 }
 
 /// How the positions of poses are joined.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum PosePositionTable {
     Spline {
@@ -60,7 +77,7 @@ impl Default for PosePositionTable {
 }
 
 /// How the orientations of poses are joined.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum PoseOrientationName {
     #[default]
@@ -68,14 +85,14 @@ pub(crate) enum PoseOrientationName {
     Slerp,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum SpacingName {
     Uniform,
     Chord,
 }
 
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum EndsTable {
     Natural,
@@ -88,7 +105,7 @@ pub(crate) enum EndsTable {
 }
 
 /// A rotation, in one of two notations.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum RotationTable {
     Euler([Number; 3]),

@@ -2,21 +2,28 @@
 
 use super::curves::{LinesTable, PointList, PosesTable, RotationTable, SpacingName, SplineTable};
 use super::number::Number;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The path, of the tool or of the joints.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PathTable {
+    /// Lambda at the start (default: 0).
     pub(crate) start: Option<Number>,
+    /// Lambda at the end; may be left out for way-points, lines and arcs.
     pub(crate) end: Option<Number>,
+    /// The tool's position, m.
     pub(crate) position: Option<PositionTable>,
+    /// Position and orientation through way-points in one list.
     pub(crate) poses: Option<PosesTable>,
+    /// A path of the joints, rad (m).
     pub(crate) joints: Option<JointsTable>,
+    /// The tool's orientation.
     pub(crate) orientation: Option<OrientationTable>,
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum PositionTable {
     Helix { start: [Number; 3], radius: Number, climb: Number },
@@ -28,7 +35,7 @@ pub(crate) enum PositionTable {
 }
 
 /// A path of the joints.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum JointsTable {
     Line { from: Vec<Number>, to: Vec<Number> },
@@ -36,7 +43,7 @@ pub(crate) enum JointsTable {
     Lines(LinesTable),
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub(crate) enum OrientationTable {
     Constant { euler: [Number; 3] },
@@ -46,10 +53,12 @@ pub(crate) enum OrientationTable {
     Squad { rotations: Vec<RotationTable>, spacing: Option<SpacingName>, at: Option<Vec<Number>> },
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KnotTable {
+    /// Lambda.
     pub(crate) at: Number,
+    /// alpha, beta, gamma, rad.
     pub(crate) euler: [Number; 3],
 }
 
