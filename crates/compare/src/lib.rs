@@ -35,9 +35,10 @@ pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, Projec
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
 pub use error::{CompareError, check_refinement, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
-pub use speed::entries::{BetweenNodes, GridEntry, MethodEntry, OptimumEntry};
+pub use speed::entries::{MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};
 pub use speed::motion::{OptimumMotion, OptimumSample};
+pub use speed::on_grid::{BetweenNodes, GridEntry};
 pub use speed::summary::SpeedSummary;
 pub use speed::verdict::{SpeedVerdict, VerdictStatus};
 pub use speed::whole::{CertifiedFor, ProfileSample, WholeOptimum, WorstCell};
