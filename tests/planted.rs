@@ -1,6 +1,6 @@
 //! Optima of whole paths that are known from elsewhere: in closed form, or by solving with other means on ten times as many cells.
 
-use slideway_compare::{CertifiedFor, SpeedComparison, SpeedOptions, compare_speed, unwatched};
+use slideway_compare::{CertifiedFor, SpeedComparison, SpeedOptions, VerdictStatus, compare_speed, unwatched};
 use slideway_lab::Experiment;
 use slideway_scenario::Scenario;
 
@@ -109,6 +109,31 @@ fn a_tool_path_that_turns_back_takes_twice_the_time_of_one_way_whatever_its_para
     // There and back, the parameter standing where the path turns.
     let [l, u] = bounds("0.4 * (lambda - 0.5)^2");
     assert!(l <= 2.0 * upper * (1.0 + 1e-6) && 2.0 * lower <= u * (1.0 + 1e-6), "{l} {u} beside twice {lower} {upper}");
+}
+
+#[test]
+fn a_bracket_out_of_cells_still_holds_and_names_the_key_and_a_verdict_it_does_not_decide_is_open() {
+    let text = include_str!("planted/kink-abs.toml");
+    let experiment = Scenario::parse("few", text).expect("a scenario").experiment().expect("an experiment");
+    let options = SpeedOptions { grid_points: 100, cells: 80, ..SpeedOptions::named("few") };
+    let optimum =
+        |options: &SpeedOptions| compare_speed(&experiment, options, &mut unwatched).expect("a comparison").summary;
+    let summary = optimum(&options);
+    let few = &summary.optimum;
+    assert!(!few.certified && few.gap > 1e-5 && few.cells.is_some_and(|cells| cells <= 80), "{few:?}");
+    assert!(few.stop.is_some_and(|stop| stop.contains("`optimum.cells`")), "{:?}", few.stop);
+    assert!(few.lower_s <= 0.581_677 && 0.581_676 <= few.upper_s, "[{}, {}]", few.lower_s, few.upper_s);
+    // A tolerance whose edge is between the ratios of both bounds.
+    let (low, high) = (summary.verdict.ratio_lower.expect("arrives"), summary.verdict.ratio_upper.expect("bounded"));
+    assert!(low < high && summary.verdict.ratio == Some(low));
+    let edge = SpeedOptions { tolerance: 0.5 * (low + high) - 1.0, ..options };
+    let verdict = optimum(&edge).verdict;
+    assert_eq!((verdict.status, verdict.holds), (VerdictStatus::Open, false), "{}", verdict.sentence);
+    assert!(
+        verdict.sentence.starts_with("Open: ") && verdict.sentence.contains("`optimum.gap`"),
+        "{}",
+        verdict.sentence
+    );
 }
 
 #[test]

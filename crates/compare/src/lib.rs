@@ -14,9 +14,10 @@ pub use conditioning::summary::{ConditioningSummary, ConditioningVerdict, PathMe
 pub use conditioning::{ConditioningComparison, ConditioningOptions, compare_conditioning};
 pub use error::{CompareError, check_refinement, check_shares};
 pub use progress::{Progress, Stage, Watch, unwatched};
-pub use speed::entries::{BetweenNodes, ExcessEntry, GridEntry, MethodEntry, OptimumEntry};
+pub use speed::entries::{ExcessEntry, MethodEntry, OptimumEntry};
 pub use speed::laws::{Law, LawCourse, LawModelError, MASS_ERROR, MethodSpeed, ModelErrorEntry, ScaledLimits};
 pub use speed::motion::{OptimumMotion, OptimumSample};
+pub use speed::on_grid::{BetweenNodes, GridEntry};
 pub use speed::summary::{LeftOut, SpeedSummary};
 pub use speed::verdict::{SpeedVerdict, VerdictStatus};
 pub use speed::whole::{CertifiedFor, ProfileSample, WholeOptimum, WorstCell};

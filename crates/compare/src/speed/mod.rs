@@ -5,6 +5,7 @@ mod judged;
 pub(crate) mod laws;
 pub(crate) mod motion;
 mod obstacle;
+pub(crate) mod on_grid;
 pub(crate) mod summary;
 pub(crate) mod verdict;
 pub(crate) mod whole;
@@ -16,6 +17,7 @@ use entries::{ExcessEntry, MethodEntry, OptimumEntry, Solved};
 use judged::Judged;
 use laws::{LawCourse, LawModelError, ModelErrorEntry};
 use motion::OptimumMotion;
+use on_grid::SolvedGrid;
 use slideway_baselines::path_bracket::BracketOptions;
 use slideway_baselines::time_optimal::{OptimumError, Solver, TimeOptimum, needed_widening};
 use slideway_lab::{Experiment, Method, Trace};
@@ -123,19 +125,20 @@ pub fn compare_speed(
     let path = experiment.sample(options.grid_points, BETWEEN)?;
     let finer = experiment.sample(2 * options.grid_points, 0)?;
     let whole = WholeOptimum::new(experiment, options.whole());
-    let solved = Solved::new([&path, &finer], whole, options.inter_sample, options.solver)
+    let grid = SolvedGrid::new([&path, &finer], options.inter_sample, options.solver)
         .map_err(|error| no_optimum(error, &path, experiment.joint_names()))?;
+    let solved = Solved { whole, grid };
     let study = Study { experiment, options, path: &path, finer: &finer, judged };
     let mut summary = study.summarise(&traces, &solved)?;
     steps.at(Stage::Variations)?;
     summary.look_ahead = windows(experiment, &summary.optimum, &mut steps)?;
-    let course = laws::optimum_course(experiment, &solved.optimum)?;
+    let course = laws::optimum_course(experiment, &solved.grid.optimum)?;
     summary.optimum_effort = course.effort();
     summary.scaled_limits = laws::sweep_limits(experiment, &path, &mut steps)?;
     let courses = laws::courses(experiment, &traces, &course);
     let model_errors = laws::model_errors(experiment, &courses)?;
     summary.model_error = model_errors.iter().map(ModelErrorEntry::from).collect();
-    let (whole, optimum) = (solved.whole.ok(), solved.optimum);
+    let (whole, optimum) = (solved.whole.ok(), solved.grid.optimum);
     Ok(SpeedComparison { summary, traces, whole, optimum, path, courses, model_errors })
 }
 
@@ -227,8 +230,8 @@ impl Study<'_> {
             Ok(whole) => whole.under_speed_limits_alone(self.options.whole()),
             Err(why) => Err(why.clone()),
         };
-        let solved = Solved::new([&path, &finer], whole, None, self.options.solver)
+        let grid = SolvedGrid::new([&path, &finer], None, self.options.solver)
             .map_err(|error| no_optimum(error, &path, names))?;
-        Ok(Some(OptimumEntry::new(&solved, self.path.speed_limited_time())))
+        Ok(Some(OptimumEntry::new(&Solved { whole, grid }, self.path.speed_limited_time())))
     }
 }
