@@ -35,8 +35,11 @@ pub fn apart<const N: usize>(values: [f64; N]) -> [String; N] {
 #[must_use]
 pub fn apart_in<const N: usize>(values: [f64; N], unit: &str) -> [String; N] {
     let (factor, prefix) = scale(&values, unit);
+    let scaled = apart(values.map(|value| factor * value));
+    // Neighbours may become equal when they are scaled.
+    let (texts, prefix) = if tells_apart(&values, &scaled) { (scaled, prefix) } else { (apart(values), "") };
     let unit = if unit == "1" { String::new() } else { format!(" {prefix}{unit}") };
-    apart(values.map(|value| factor * value)).map(|text| (text + &unit).trim_end().to_owned())
+    texts.map(|text| (text + &unit).trim_end().to_owned())
 }
 
 /// Numbers that are compared, with at least so many decimals: more where two that differ would read alike, or one that is not zero
@@ -82,7 +85,7 @@ fn tells_apart(values: &[f64], texts: &[String]) -> bool {
 fn scale(values: &[f64], unit: &str) -> (f64, &'static str) {
     let largest = values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |most, v| most.max(v.abs()));
     match largest {
-        l if !["m", "s", "rad"].contains(&unit) || l >= 0.1 || l < 1e-12 => (1.0, ""),
+        l if !["m", "s", "rad"].contains(&unit) || !(1e-12..0.1).contains(&l) => (1.0, ""),
         l if l >= 1e-4 => (1e3, "m"),
         l if l >= 1e-7 => (1e6, "µ"),
         _ => (1e9, "n"),

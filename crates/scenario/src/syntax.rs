@@ -8,10 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 /// Required values that the templates do not show, each with one that does.
 const EXAMPLES: [(&str, &str); 7] = [
-    (
-        "blend",
-        "0.2` (half-width of a corner's blend as a share of the shorter neighbouring interval: 0 for corners, at most `0.5",
-    ),
+    ("blend", "0.2"),
     ("radius", "0.1"),
     ("side", "\"outside\""),
     ("scale", "0.1"),
@@ -129,19 +126,21 @@ fn keys_of(table: &str) -> Option<String> {
 
 /// The key of the innermost value that holds a place, dotted, list elements counted from 0.
 fn key_at(text: &str, place: &Range<usize>) -> Option<String> {
-    let document = DeTable::parse(text).ok()?;
-    let holds = |span: Range<usize>| span.start <= place.start && place.end <= span.end;
-    let mut key: Vec<String> = Vec::new();
-    let mut entries = of_table(document.get_ref());
-    while let Some((name, value)) = entries.into_iter().find(|(_, value)| holds(value.span())) {
-        key.push(name);
-        entries = match value.get_ref() {
+    key_in(of_table(DeTable::parse(text).ok()?.get_ref()), place)
+}
+
+/// The same below some entries. A table under a heading spans its heading alone: what is in it is looked at in any case.
+fn key_in(entries: Vec<(String, &Spanned<DeValue<'_>>)>, place: &Range<usize>) -> Option<String> {
+    entries.into_iter().find_map(|(name, value)| {
+        let inside = match value.get_ref() {
             DeValue::Table(table) => of_table(table),
             DeValue::Array(list) => list.iter().enumerate().map(|(i, value)| (i.to_string(), value)).collect(),
             _ => Vec::new(),
         };
-    }
-    Some(key.join("."))
+        let span = value.span();
+        let below = key_in(inside, place).map(|key| format!("{name}.{key}"));
+        below.or_else(|| (span.start <= place.start && place.end <= span.end).then_some(name))
+    })
 }
 
 fn of_table<'a, 'b>(table: &'a DeTable<'b>) -> Vec<(String, &'a Spanned<DeValue<'b>>)> {

@@ -58,7 +58,7 @@ impl<'a> Goal<'a> {
             return true;
         }
         // Scenes may move: the projection is that of the sample's instant, seen now and then.
-        if self.looked % LOOK == 0 {
+        if self.looked.is_multiple_of(LOOK) {
             self.nearest = projected_end(self.problem, sample.t);
         }
         self.looked += 1;
