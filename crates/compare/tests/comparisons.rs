@@ -40,7 +40,7 @@ fn a_speed_comparison_is_a_value_with_a_certified_optimum_and_a_run_a_method() {
     let methods: Vec<Method> = comparison.traces.iter().map(|trace| trace.method).collect();
     assert_eq!(methods, experiment.methods());
     assert_eq!(summary.methods.len(), methods.len());
-    assert_eq!((summary.verdict.method, summary.verdict.tolerance), (Method::SlidingMode, 0.02));
+    assert_eq!((summary.verdict.method, summary.verdict.tolerance), (Method::SlidingModeSynchronised, 0.02));
     let json = serde_json::to_value(summary).expect("a value");
     assert_eq!(json["scenario"], "joint");
     assert_eq!(json["verdict"]["sentence"], summary.verdict.sentence.as_str());
