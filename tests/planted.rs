@@ -42,16 +42,16 @@ fn keeps_the_limits(name: &str, experiment: &Experiment, comparison: &SpeedCompa
         let share = sample.limit.as_ref().expect("limited").share;
         assert!(share <= 1.0 + 1e-9, "{name}: {share} of {:?} at {} s", sample.limit, sample.t);
     }
-    for pair in motion.samples.windows(2) {
-        let dt = pair[1].t - pair[0].t;
-        for joint in 0..motion.joint_names.len() {
+    for joint in 0..motion.joint_names.len() {
+        let (mut way, mut apart) = (0.0, 0.0);
+        for pair in motion.samples.windows(2) {
             let [a, b] = [&pair[0].joints, &pair[1].joints];
-            let told = 0.5 * dt * (a.speed[joint] + b.speed[joint]);
-            // A quarter of what the accelerations of both ends, one after the other or one against the other, do in a step.
-            let most = 0.25 * dt * dt * (a.acceleration[joint].abs() + b.acceleration[joint].abs());
-            let most = most + dt * (a.speed[joint] - b.speed[joint]).abs() + 1e-9;
-            assert!((b.q[joint] - a.q[joint] - told).abs() <= most, "{name}: joint {joint} at {} s", pair[0].t);
+            let moved = b.q[joint] - a.q[joint];
+            way += moved.abs();
+            apart += (moved - 0.5 * (pair[1].t - pair[0].t) * (a.speed[joint] + b.speed[joint])).abs();
         }
+        // Positions and speeds tell of the same motion, but for what accelerations do within samples.
+        assert!(apart <= 1e-3 * way + 1e-9, "{name}: joint {joint}: {apart} of {way}");
     }
 }
 
@@ -115,12 +115,12 @@ fn a_tool_path_that_turns_back_takes_twice_the_time_of_one_way_whatever_its_para
 fn a_bracket_out_of_cells_still_holds_and_names_the_key_and_a_verdict_it_does_not_decide_is_open() {
     let text = include_str!("planted/kink-abs.toml");
     let experiment = Scenario::parse("few", text).expect("a scenario").experiment().expect("an experiment");
-    let options = SpeedOptions { grid_points: 100, cells: 80, ..SpeedOptions::named("few") };
+    let options = SpeedOptions { grid_points: 100, cells: 300, ..SpeedOptions::named("few") };
     let optimum =
         |options: &SpeedOptions| compare_speed(&experiment, options, &mut unwatched).expect("a comparison").summary;
     let summary = optimum(&options);
     let few = &summary.optimum;
-    assert!(!few.certified && few.gap > 1e-5 && few.cells.is_some_and(|cells| cells <= 80), "{few:?}");
+    assert!(!few.certified && few.gap > 1e-5 && few.cells.is_some_and(|cells| cells <= 300), "{few:?}");
     assert!(few.stop.is_some_and(|stop| stop.contains("`optimum.cells`")), "{:?}", few.stop);
     assert!(few.lower_s <= 0.581_677 && 0.581_676 <= few.upper_s, "[{}, {}]", few.lower_s, few.upper_s);
     // A tolerance whose edge is between the ratios of both bounds.
