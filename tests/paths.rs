@@ -266,7 +266,7 @@ fn what_is_wrong_with_way_points_is_pointed_at() {
             "outside [0, 0.5]",
             "-1",
         ),
-        (poses("[[0.5, 0, 0, 0, 0, 0], [0.5, 0, 0, 1, 0, 0]]", ""), "path.poses.points.1", "no length", "[0.5"),
+        (poses("[[0.5, 0, 0, 0, 0, 0], [0.5, 0, 0, 1, 0, 0]]", ""), "path.poses.points.1", "in the same place", "[0.5"),
         (poses("[[0.5, 0, 0, 1, 1, 0, 0], [0.5, 0, 0, 1, 0, 0, 0]]", ""), "path.poses.points.0", "length 1.41", "[0.5"),
         (
             turn("slerp]\nfrom = { euler = [0, 0, 0] }\nto = { quaternion = [0, 1, 0, 0] }"),

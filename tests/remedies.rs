@@ -156,7 +156,7 @@ fn remedies_for_paths_of_the_joints_remove_the_error() {
             "model = 'planar-2r'",
             "model = 'planar-2r'\nlocked = { joint9 = 0 }",
             "no joint called `joint9`",
-            "`",
+            "the joints are joint1, joint2",
             "model = 'planar-2r'",
         ),
         ("model = 'planar-2r'", "", "say which robot", "add", "model = 'planar-2r'"),

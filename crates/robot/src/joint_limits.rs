@@ -1,4 +1,4 @@
-use crate::{LimitKind, RobotError};
+use crate::{LimitKind, PositionRange, RobotError};
 
 /// Limits of a joint; `None` where there is none, or none is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,23 +13,6 @@ pub struct JointLimits {
     pub acceleration: Option<f64>,
     /// Largest jerk either way, rad/s³ or m/s³.
     pub jerk: Option<f64>,
-}
-
-/// A closed range of joint positions; an end may be infinite, which leaves the range open on that side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PositionRange {
-    /// Smallest position, rad or m.
-    pub lower: f64,
-    /// Largest position, rad or m.
-    pub upper: f64,
-}
-
-impl PositionRange {
-    /// True if a position lies in the range; false for NaN.
-    #[must_use]
-    pub fn contains(&self, q: f64) -> bool {
-        q >= self.lower && q <= self.upper
-    }
 }
 
 impl JointLimits {

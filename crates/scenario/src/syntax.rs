@@ -60,7 +60,7 @@ fn remedy(said: &str, key: Option<&str>) -> Option<String> {
         if known.is_empty() {
             return Some(format!("remove `{name}`"));
         }
-        let by_distance = known.iter().map(|known| (strsim::levenshtein(name, known), *known));
+        let by_distance = known.iter().map(|known| (strsim::osa_distance(name, known), *known));
         let meant = by_distance.min().filter(|(distance, known)| 3 * distance <= known.len() + 1);
         let list = known.iter().map(|known| format!("`{known}`")).collect::<Vec<_>>().join(", ");
         return Some(match meant {

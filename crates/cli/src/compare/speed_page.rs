@@ -56,8 +56,8 @@ const WINDOWS: [Column<WindowEntry>; 4] = [
 const CELLS: [Column<WorstCell>; 3] = [
     ("path parameter", |c| format!("{:.6} to {:.6}", c.lambda[0], c.lambda[1])),
     ("part of the gap [s]", |c| format!("{:.1e}", c.gap_s)),
-    ("limit used most", |c| match (c.limit, c.joint) {
-        (Some(limit), Some(joint)) => format!("{limit} {}", joint + 1),
+    ("limit used most", |c| match (c.limit, &c.joint) {
+        (Some(limit), Some(joint)) => format!("{limit} of {joint}"),
         _ => "-".into(),
     }),
 ];

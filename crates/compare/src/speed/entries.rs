@@ -111,7 +111,7 @@ impl MethodEntry {
 }
 
 impl OptimumEntry {
-    pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64) -> Self {
+    pub(crate) fn new(solved: &Solved, closed_form_speed_s: f64, joint_names: &[String]) -> Self {
         let on_grid = GridEntry::new(&solved.grid);
         let grid = Self {
             duration_s: on_grid.upper_s,
@@ -132,11 +132,11 @@ impl OptimumEntry {
         };
         match &solved.whole {
             Err(why) => Self { nodes_because: Some(why.to_string()), ..grid },
-            Ok(whole) => grid.of_whole(whole),
+            Ok(whole) => grid.of_whole(whole, joint_names),
         }
     }
 
-    fn of_whole(self, whole: &WholeOptimum) -> Self {
+    fn of_whole(self, whole: &WholeOptimum, joint_names: &[String]) -> Self {
         let PathBracket { lower_s, upper_s, gap, certified, cells, stop, .. } = whole.bracket;
         let polynomials = &whole.path.polynomials;
         let spline = match polynomials.likeness() {
@@ -153,7 +153,7 @@ impl OptimumEntry {
             spline,
             cells: Some(cells),
             stop: Some(stop_in_words(stop)),
-            worst_cells: whole.worst_cells(),
+            worst_cells: whole.worst_cells(joint_names),
             solver: whole.solver.to_string(),
             solve_s: whole.solve_s,
             ..self

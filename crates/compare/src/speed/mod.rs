@@ -180,7 +180,7 @@ impl SpeedComparison {
 impl Study<'_> {
     fn summarise(&self, traces: &[Trace], solved: &Solved) -> Result<SpeedSummary, CompareError> {
         let Self { experiment, options, path, .. } = self;
-        let optimum = OptimumEntry::new(solved, path.speed_limited_time());
+        let optimum = OptimumEntry::new(solved, path.speed_limited_time(), experiment.joint_names());
         let speed_only = self.under_speed_limits_alone(&solved.whole)?;
         let entry = |trace| MethodEntry::new(experiment, trace, &optimum);
         let methods = traces.iter().map(entry).collect::<Result<Vec<_>, _>>()?;
@@ -232,6 +232,6 @@ impl Study<'_> {
         };
         let grid = SolvedGrid::new([&path, &finer], None, self.options.solver)
             .map_err(|error| no_optimum(error, &path, names))?;
-        Ok(Some(OptimumEntry::new(&Solved { whole, grid }, self.path.speed_limited_time())))
+        Ok(Some(OptimumEntry::new(&Solved { whole, grid }, self.path.speed_limited_time(), names)))
     }
 }

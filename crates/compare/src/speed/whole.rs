@@ -77,8 +77,8 @@ pub struct WorstCell {
     pub gap_s: f64,
     /// The limit that the profile uses most there.
     pub limit: Option<LimitKind>,
-    /// The joint of that limit, counted from 0.
-    pub joint: Option<usize>,
+    /// Name of the joint of that limit.
+    pub joint: Option<String>,
 }
 
 /// Why there is no optimum of the whole path.
@@ -153,8 +153,8 @@ impl WholeOptimum {
         times.windows(2).flat_map(inside).chain(times.last().copied()).map(sample).collect()
     }
 
-    /// The cells that hold most of the gap, by the path parameter.
-    pub(crate) fn worst_cells(&self) -> Vec<WorstCell> {
+    /// The cells that hold most of the gap, by the path parameter: those with a hundredth of it, beside which the others are rounding.
+    pub(crate) fn worst_cells(&self, joint_names: &[String]) -> Vec<WorstCell> {
         let lambda = |s: f64| self.path.polynomials.at(s).lambda;
         let cell = |cell: &CellGap| {
             let (limit, joint) = match cell.limit {
@@ -162,9 +162,11 @@ impl WholeOptimum {
                 Some(LimitName::Speed { joint }) => (Some(LimitKind::JointSpeed), Some(joint)),
                 Some(LimitName::Acceleration { joint, .. }) => (Some(LimitKind::JointAcceleration), Some(joint)),
             };
+            let joint = joint.map(|joint| joint_names[joint].clone());
             WorstCell { lambda: [lambda(cell.from), lambda(cell.to)], gap_s: cell.gap_s, limit, joint }
         };
-        self.bracket.worst.iter().map(cell).collect()
+        let least = 0.01 * (self.bracket.upper_s - self.bracket.lower_s);
+        self.bracket.worst.iter().filter(|cell| cell.gap_s >= least).map(cell).collect()
     }
 
     pub(crate) fn certified_for(&self) -> CertifiedFor {

@@ -8,7 +8,7 @@ use crate::joints::pad;
 use crate::method::Method;
 use crate::problem::Problem;
 use crate::run::simulate::MAX_SAMPLES;
-use crate::run::trace::{Sample, Trace, has_reached_end};
+use crate::run::trace::{EndRounding, Sample, Trace, has_reached_end};
 use slideway_conditioner::AffineSpeed;
 use slideway_path::CartesianPath;
 use slideway_path::{Fault, ProblemError};
@@ -140,7 +140,8 @@ fn as_trace<const N: usize>(
     }
     // The time was planned; at a singularity that the flow does not cross the arm turns back all the same.
     let (begin, end) = (problem.path.begin(), problem.path.end());
-    trace.finish_s = Some(run.ramp.interval()).filter(|_| has_reached_end(end - lambda, end - begin));
+    trace.finish_s =
+        Some(run.ramp.interval()).filter(|_| has_reached_end(end - lambda, end - begin, EndRounding::Integration));
     trace.arrival_s = trace.finish_s.filter(|_| distance <= 1.0);
     Ok(trace)
 }

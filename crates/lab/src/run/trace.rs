@@ -135,13 +135,23 @@ impl Trace {
     }
 }
 
-/// Share of a path whose remainder is rounding, of summed steps or of an integration.
-const ROUNDING: f64 = 1e-7;
+/// Share of a path whose remainder is rounding: of summed steps, or of an integration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum EndRounding {
+    /// Steps that a loop sums: 1e-12.
+    SummedSteps,
+    /// A flow that is integrated to a tolerance: 1e-7.
+    Integration,
+}
 
 /// True of a reference that has reached the path's end: nothing but rounding `remains` of a path as long as `span`. Of every method
 /// this alone decides.
-pub(crate) fn has_reached_end(remains: f64, span: f64) -> bool {
-    remains <= ROUNDING * span
+pub(crate) fn has_reached_end(remains: f64, span: f64, rounding: EndRounding) -> bool {
+    let share = match rounding {
+        EndRounding::SummedSteps => 1e-12,
+        EndRounding::Integration => 1e-7,
+    };
+    remains <= share * span
 }
 
 /// Appends a field of a table: nothing where the number is none.

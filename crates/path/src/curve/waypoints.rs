@@ -188,7 +188,7 @@ mod tests {
         standing.insert(2, standing[1]);
         assert!(Waypoints::with_dwells(standing.clone(), &Spacing::Uniform, 0.0..1.0).is_ok());
         let refused = Waypoints::with_dwells(standing, &Spacing::Chord, 0.0..1.0).err();
-        assert_eq!(refused, Some(CurveError::Repeated { before: 1, index: 2 }));
+        assert_eq!(refused, Some(CurveError::NoDistance { before: 1, index: 2 }));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::problem::{Integration, Problem};
 use crate::run::controller::Demand;
 use crate::run::decision::{Decision, Situation};
 use crate::run::law::Law;
-use crate::run::trace::{Trace, has_reached_end};
+use crate::run::trace::{EndRounding, Trace, has_reached_end};
 use crate::run::world::{World, displaced};
 use slideway_path::ProblemError;
 use slideway_robot::{EulerAngles, JointVector};
@@ -157,7 +157,9 @@ impl<'a, const N: usize> Run<'a, N> {
         self.begin_period();
         let rate = decision.command.path_rate;
         let span = self.problem.path.end() - self.problem.path.begin();
-        if has_reached_end(remaining - decision.advance_rate * self.period, span) && rate > 0.0 {
+        if has_reached_end(remaining - decision.advance_rate * self.period, span, EndRounding::SummedSteps)
+            && rate > 0.0
+        {
             // The controller counts on a whole period; its share is that of the real one.
             self.trace.finish_s = Some(t + remaining / rate * (self.elapsed / self.period));
             self.lambda = self.problem.path.end();
