@@ -154,7 +154,7 @@ fn no_proposal_has_a_number_that_is_none_whatever_the_path_and_the_method() {
         ("corner", JOINTS.replace("blend = 0.2", "blend = 0")),
         ("round", JOINTS.to_owned()),
         ("back", JOINTS.replace("[0, 2]", "[0, 0]")),
-        ("slow", JOINTS.replace("speed = 1", "speed = 1e-6")),
+        ("slow", JOINTS.replace("speed = 1", "speed = 0.05")),
         (
             "formula",
             JOINTS.replace(

@@ -251,7 +251,12 @@ impl<E: From<VerifyError>, W: Fn(&[ProposedValue]) -> Result<Experiment, E>> Tun
 
 /// The chattering that is guaranteed: from the start, or, of the implicit form, once the feedback has settled.
 fn chattering(candidate: &Candidate) -> f64 {
-    bound(&candidate.statement, "chattering").min(bound(&candidate.statement, "chattering-settled"))
+    let whole = bound(&candidate.statement, "chattering");
+    if candidate.case.looked.method == Method::SlidingModeImplicit {
+        whole.min(bound(&candidate.statement, "chattering-settled"))
+    } else {
+        whole
+    }
 }
 
 /// The time of a run beside the optimum, and what it is predicted to be.
