@@ -156,10 +156,10 @@ fn no_proposal_has_a_number_that_is_none_whatever_the_path_and_the_method() {
         ("back", JOINTS.replace("[0, 2]", "[0, 0]")),
         ("slow", JOINTS.replace("speed = 1", "speed = 0.05")),
         (
-            "formula",
+            "spline",
             JOINTS.replace(
                 "lines = { points = [[0, 0], [1, 1], [0, 2]], blend = 0.2 }",
-                "formula = ['abs(lambda - 0.5)', 'lambda']",
+                "spline = { points = [[0, 0], [1, 1], [0, 2]] }",
             ),
         ),
     ] {
