@@ -126,7 +126,7 @@ mod tests {
         for (text, at) in [
             ("0.1 * abs(lambda - 0.5)", vec![0.5]),
             ("max(0, sin(9 * lambda + 1))", [PI, TAU, 3.0 * PI].map(|x| (x - 1.0) / 9.0).to_vec()),
-            ("min(lambda, 0.123) + abs(lambda - 0.1234)", vec![0.123, 0.1234]),
+            ("min(lambda, 0.3217) + abs(lambda - 0.1234)", vec![0.1234, 0.3217]),
         ] {
             let kinks = found(text);
             assert_eq!(kinks.len(), at.len(), "{text}: {kinks:?}");
